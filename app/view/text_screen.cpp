@@ -1,0 +1,19 @@
+#include "view/text_screen.hpp"
+
+#include <fmt/format.h>
+
+namespace carom {
+
+std::string to_text(const Canvas& canvas, std::uint64_t frame, double time) {
+  std::string text = fmt::format("# frame {} time {}\n", frame, time);
+  for (int row = 0; row < canvas.rows; ++row) {
+    std::string line;
+    for (int column = 0; column < canvas.columns; ++column)
+      line += canvas.at(column, row).character;
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
+  }
+  return text;
+}
+
+}  // namespace carom

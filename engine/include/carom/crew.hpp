@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "carom/measurements.hpp"
+
+namespace carom {
+
+/// Which share of the work is a worker's: worker `index` of `count`.
+struct Share {
+  std::size_t index = 0;
+  std::size_t count = 1;
+
+  /// The share of `n` things in a row: [begin, end), sizes differing by one at most.
+  [[nodiscard]] std::size_t begin(std::size_t n) const { return n * index / count; }
+  [[nodiscard]] std::size_t end(std::size_t n) const { return n * (index + 1) / count; }
+};
+
+/// What every worker does between two barriers.
+struct Phase {
+  static constexpr std::size_t kFrameDone = static_cast<std::size_t>(-1);
+
+  std::string name;  ///< also the name of the barrier at its end, as in "wall_computation"
+  std::function<void(Share)> work;
+  /// Run by the last worker to arrive, while the others wait; gives the number of the phase that
+  /// comes next, or kFrameDone.
+  std::function<std::size_t()> finish;
+};
+
+/// The system gave fewer threads than were asked for.
+class CrewError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Worker threads that compute frames together, phase by phase.  Knows no physics.
+///
+/// The control thread and the workers meet at `do_frame`, where a frame is ordered, and at
+/// `frame_done`, before which nothing of it may be looked at.  In between, the workers alone meet
+/// at the barrier of each phase.
+///
+/// Threads: the members are for the control thread; the phases run on the workers.
+/// Errors: CrewError where threads cannot be started; what a worker throws is rethrown by
+/// `do_frame`, after which the crew can only be destroyed.
+class Crew {
+ public:
+  Crew(std::size_t workers, std::vector<Phase> phases);
+  ~Crew();
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+
+  /// Orders one frame, starting with phase number `first`, and waits until it is done.
+  void do_frame(std::size_t first = 0);
+  /// Starts or ends workers, between frames.
+  void resize(std::size_t workers);
+
+  [[nodiscard]] std::size_t workers() const;
+  /// Wall-clock seconds spent in each phase so far, in the order of the phases.
+  [[nodiscard]] Seconds seconds() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace carom

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "carom/vector.hpp"
+
+namespace carom {
+
+using Seconds = std::vector<std::pair<std::string, double>>;  ///< name and seconds, in order
+
+/// What a simulation has gone through, and where it stands.
+struct Measurements {
+  std::uint64_t ball_ball = 0;  ///< impacts between balls
+  std::uint64_t ball_wall = 0;  ///< impacts at walls
+  double energy_initial = 0;    ///< kinetic and potential
+  double energy_final = 0;
+  double energy_input = 0;  ///< by commands: balls added and removed, effects changed
+  Vec2 momentum_initial{0, 0};
+  Vec2 momentum_final{0, 0};
+  double max_overlap = 0;  ///< deepest penetration seen / smaller radius of the two
+  Seconds phases;          ///< wall-clock seconds of each phase of the crew
+  Seconds effects;         ///< wall-clock seconds of each effect that is simulated
+
+  /// (final - initial - input) / |initial + input|; the plain difference where that is zero.
+  [[nodiscard]] double relative_energy_error() const;
+};
+
+}  // namespace carom

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "carom/session.hpp"
+
+namespace carom {
+
+/// What a headless run did, as it is written to a file.
+struct Report {
+  std::string scene;
+  double time = 0;          ///< simulated seconds at the end
+  std::size_t frames = 0;   ///< frames of the frame clock in this run
+  double wall_seconds = 0;  ///< of the whole run
+  Method method = Method::overlap;
+  double step = 0;
+  int digits = 16;
+  std::size_t workers = 0;
+  std::uint64_t seed = 0;
+  bool spin = false;  ///< the scene has friction, and its balls spin
+  Measurements measurements;
+  std::string state_hash;
+  std::vector<Ball> state;
+};
+
+Report make_report(const Session& session, std::size_t frames, double wall_seconds);
+
+/// The report as a JSON object.
+std::string to_json(const Report& report);
+
+/// The version of the engine, as in "0.1.0".
+const char* version();
+
+}  // namespace carom

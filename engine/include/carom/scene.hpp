@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "carom/command.hpp"
+#include "carom/effects.hpp"
+#include "carom/vector.hpp"
+
+namespace carom {
+
+/// The rectangle the balls live in.
+///
+/// Units: lengths of the scene.  The engine computes in the scene's own coordinates: with
+/// `Origin::center` a mirror image is a change of sign and nothing is rounded.
+struct Box {
+  enum class Origin { corner, center };
+
+  double width = 20;
+  double height = 10;
+  std::array<bool, 2> periodic{false, false};  ///< the x axis wraps, the y axis wraps
+  Origin origin = Origin::corner;
+
+  [[nodiscard]] Vec2 size() const { return {width, height}; }
+  [[nodiscard]] Vec2 lower() const {
+    return origin == Origin::corner ? Vec2{0, 0} : Vec2{-width / 2, -height / 2};
+  }
+  [[nodiscard]] Vec2 upper() const {
+    return origin == Origin::corner ? Vec2{width, height} : Vec2{width / 2, height / 2};
+  }
+};
+
+/// A recipe for many balls; drawn from the scene's seed alone, the same on every machine.
+struct Fill {
+  enum class Arrangement { random, square, hexagonal };
+
+  std::size_t count = 0;
+  double radius = 0.5;
+  double mass = 1;
+  double temperature = 0;  ///< k_B = 1: variance of each velocity component is temperature / mass
+  Arrangement arrangement = Arrangement::random;
+  std::optional<std::array<Vec2, 2>> region;  ///< lower and upper corner; the whole box if absent
+};
+
+enum class Method { overlap, event };
+
+/// How the scene is computed.
+struct SolverChoice {
+  std::optional<Method> method;  ///< absent: `event` where it can take the scene, else `overlap`
+  double step = 1.0 / 240;       ///< seconds
+  int digits = 16;               ///< 16 (double), 34, 50 or 100; for `event`
+};
+
+/// A command and when it is due.
+struct ScriptLine {
+  double at = 0;  ///< seconds of the frame clock, which runs on while the simulation is paused
+  Command command;
+};
+
+/// Where a saved run stood; lets it go on bit for bit.
+struct Continuation {
+  double time = 0;          ///< simulated seconds
+  double clock = 0;         ///< frame clock, seconds
+  bool paused = false;      ///< the saved run stood still
+  double step_origin = 0;   ///< simulated time of step number 0 of the present step length
+  std::uint64_t steps = 0;  ///< whole steps taken since `step_origin`
+};
+
+/// Everything a run is determined by, as plain data.
+///
+/// Holds: nothing by itself; `read_scene` and `find_problems` tell a good scene from a bad one.
+struct Scene {
+  std::string name;
+  std::string about;
+  Box box;
+  Effects effects;
+  std::vector<Ball> balls;
+  std::vector<Fill> fills;
+  std::uint64_t seed = 0;
+  SolverChoice solver;
+  std::optional<std::size_t> workers;  ///< absent: the default of `worker_count`
+  bool per_ball = false;               ///< one worker thread per ball; `workers` is then absent
+  double duration = 10;                ///< simulated seconds of a headless run
+  double frame_rate = 30;              ///< frames per second of the frame clock
+  std::vector<ScriptLine> script;      ///< in order of `at`
+  std::optional<Continuation> continuation;
+};
+
+/// The scene's balls, then those of its fills, in order.
+/// Errors: SceneError where a fill does not find room.
+std::vector<Ball> populate(const Scene& scene);
+
+/// The worker threads a scene of `balls` balls gets: as the scene says; by default one per ball up
+/// to 256 balls, above that one per core.
+std::size_t worker_count(const Scene& scene, std::size_t balls);
+
+}  // namespace carom

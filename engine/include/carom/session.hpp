@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+
+#include "carom/simulation.hpp"
+
+namespace carom {
+
+/// A simulation on its frame clock: script, pause and quit.  `play` and `run` both drive this.
+///
+/// The frame clock counts frames / frame_rate and runs on while paused; simulated time is the clock
+/// less the time spent paused.  Script lines take effect exactly at their time, between frames, so
+/// that the trajectory depends on no frame rate.
+///
+/// Threads: the control thread only.
+class Session {
+ public:
+  explicit Session(Scene scene);
+
+  /// Moves the frame clock on to `clock` seconds, obeying the script on its way.
+  void advance_clock_to(double clock);
+  /// Moves simulated time on by `seconds` without the frame clock: one frame while paused.
+  void nudge(double seconds);
+  /// Obeys a command now.
+  void apply(const Command& command);
+
+  [[nodiscard]] bool paused() const { return paused_; }
+  [[nodiscard]] bool quit() const { return quit_; }
+  /// Paused, and no line of the script is left that could change it.
+  [[nodiscard]] bool stuck() const;
+  [[nodiscard]] double clock() const { return clock_; }
+
+  [[nodiscard]] Simulation& simulation() { return simulation_; }
+  [[nodiscard]] const Simulation& simulation() const { return simulation_; }
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+
+  /// The present state, rest of the script and frame clock as a scene that goes on bit for bit.
+  [[nodiscard]] Scene save() const;
+
+ private:
+  Scene scene_;
+  Simulation simulation_;
+  double clock_ = 0;
+  double stood_still_ = 0;  // clock - simulated time
+  bool paused_ = false;
+  bool quit_ = false;
+  std::size_t next_line_ = 0;
+};
+
+}  // namespace carom

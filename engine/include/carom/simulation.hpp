@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+
+#include "carom/command.hpp"
+#include "carom/frame.hpp"
+#include "carom/measurements.hpp"
+#include "carom/scene.hpp"
+
+namespace carom {
+
+/// The state of a scene, one solver, only the effects asked for, and the crew of workers.
+///
+/// Threads: made, used and destroyed by one thread, the control thread.
+/// Errors: the constructor throws SceneError for a scene that cannot be run and CrewError where the
+/// system refuses the threads; `advance_to` rethrows what a worker threw, after which the
+/// simulation can only be destroyed.
+class Simulation {
+ public:
+  explicit Simulation(const Scene& scene);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Moves on to the state at `time` (simulated seconds, not before the present time).
+  void advance_to(double time);
+
+  /// Adds or removes a ball, changes effects or the step; the commands of the frame clock (pause,
+  /// resume, quit) are not for the simulation and are refused with std::logic_error.
+  void apply(const Command& command);
+
+  [[nodiscard]] double time() const;  ///< simulated seconds: the last `advance_to`
+  [[nodiscard]] std::size_t balls() const;
+  [[nodiscard]] std::size_t workers() const;
+  [[nodiscard]] Method method() const;
+  [[nodiscard]] double step() const;
+
+  [[nodiscard]] Frame frame() const;
+  [[nodiscard]] Measurements measure() const;
+  /// The balls as they are now, in the order of the scene's balls, its fills, and later additions.
+  [[nodiscard]] std::vector<Ball> state() const;
+  /// Hexadecimal digest of the exact bits of the state.
+  [[nodiscard]] std::string state_hash() const;
+  /// The present state as a scene that goes on bit for bit; without script and frame clock.
+  [[nodiscard]] Scene save() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace carom

@@ -1,0 +1,58 @@
+#include "carom/session.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace carom {
+
+Session::Session(Scene scene) : scene_(std::move(scene)), simulation_(scene_) {
+  if (!scene_.continuation) return;
+  clock_ = scene_.continuation->clock;
+  stood_still_ = clock_ - scene_.continuation->time;
+  paused_ = scene_.continuation->paused;
+}
+
+void Session::advance_clock_to(double clock) {
+  while (!quit_ && next_line_ < scene_.script.size() && scene_.script[next_line_].at <= clock) {
+    const ScriptLine& line = scene_.script[next_line_++];
+    advance_clock_to(std::max(clock_, line.at));
+    apply(line.command);
+  }
+  if (quit_) return;
+  if (paused_) stood_still_ += clock - clock_;
+  clock_ = clock;
+  if (!paused_) simulation_.advance_to(clock_ - stood_still_);
+}
+
+void Session::nudge(double seconds) {
+  stood_still_ -= seconds;
+  simulation_.advance_to(simulation_.time() + seconds);
+}
+
+void Session::apply(const Command& command) {
+  if (std::holds_alternative<command::Pause>(command)) {
+    paused_ = true;
+  } else if (std::holds_alternative<command::Resume>(command)) {
+    paused_ = false;
+  } else if (std::holds_alternative<command::Quit>(command)) {
+    quit_ = true;
+  } else {
+    simulation_.apply(command);
+  }
+}
+
+bool Session::stuck() const {
+  return paused_ && next_line_ == scene_.script.size();
+}
+
+Scene Session::save() const {
+  Scene scene = simulation_.save();
+  if (!scene.continuation) scene.continuation.emplace();
+  scene.continuation->clock = clock_;
+  scene.continuation->paused = paused_;
+  scene.script.assign(scene_.script.begin() + static_cast<std::ptrdiff_t>(next_line_),
+                      scene_.script.end());
+  return scene;
+}
+
+}  // namespace carom
