@@ -1,19 +1,53 @@
-#include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "carom/scene_file.hpp"
 #include "commands.hpp"
+#include "options.hpp"
+#include "standard_streams.hpp"
+
+namespace {
+
+int obey(const carom::Options& options) {
+  switch (options.command) {
+    case carom::Options::Command::play:
+#ifdef carom_no_play
+      throw carom::UsageError("play is not available in this version");
+#else
+      return carom::play(options);
+#endif
+    case carom::Options::Command::run:
+      return carom::run(options);
+    case carom::Options::Command::check:
+#ifdef carom_no_check
+      throw carom::UsageError("check is not available in this version");
+#else
+      return carom::check(options);
+#endif
+    case carom::Options::Command::print:
+      carom::print(options.text);
+      return 0;
+  }
+  return 0;
+}
+
+int say(const std::exception& error, int status) {
+  carom::print_error(std::string("carom: ") + error.what() + '\n');
+  return status;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
+  carom::hold_standard_streams();
   try {
-    carom::Options options;
-    if (argc > 2) options.scenes.emplace_back(argv[2]);
-    return carom::run(options);
+    return obey(carom::parse_options(std::vector<std::string>(argv + 1, argv + argc)));
+  } catch (const carom::UsageError& error) {
+    return say(error, 2);
   } catch (const carom::SceneError& error) {
-    std::fprintf(stderr, "carom: %s\n", error.what());
-    return 2;
+    return say(error, 2);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "carom: %s\n", error.what());
-    return 1;
+    return say(error, 1);
   }
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,25 +11,32 @@
 
 namespace carom {
 
+/// A command line that cannot be obeyed; one line that quotes the argument and says what to do.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// What the command line asks for.
 struct Options {
-  enum class Command { play, run, check };
+  enum class Command { play, run, check, print };
 
   Command command = Command::play;
-  std::vector<std::string> scenes;  ///< files; none: the built-in scene
+  std::string text;                 ///< print: the help or the version
+  std::vector<std::string> scenes;  ///< files, "-" for standard input; none: the built-in scene
 
   // Common: what the scene says is replaced by these.
   std::optional<Method> method;
   std::optional<double> step;
   std::optional<int> digits;
-  std::optional<std::string> workers;
+  std::optional<std::string> workers;  ///< "per-ball" or a whole number from 1
   std::optional<std::uint64_t> seed;
   bool no_color = false;
 
   // run
-  std::optional<double> time;
-  std::optional<std::uint64_t> frames;
-  std::string dump;
+  std::optional<double> time;           ///< simulated seconds of this run
+  std::optional<std::uint64_t> frames;  ///< frames of the frame clock of this run
+  std::string dump;                     ///< files: empty: none, "-": standard output
   int columns = 80;
   int rows = 24;
   std::uint64_t every = 1;
@@ -36,5 +44,8 @@ struct Options {
   std::string save;
   bool quiet = false;
 };
+
+/// Reads the arguments, without the program's name.  Errors: UsageError.
+Options parse_options(const std::vector<std::string>& arguments);
 
 }  // namespace carom

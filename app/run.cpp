@@ -1,19 +1,95 @@
-#include <cstdio>
+#include <fmt/format.h>
 
+#include <array>
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "carom/report.hpp"
 #include "carom/scene_file.hpp"
 #include "carom/session.hpp"
 #include "commands.hpp"
+#include "export/output_file.hpp"
+#include "export/unfinished_files.hpp"
+#include "load_scene.hpp"
+#include "progress.hpp"
+#include "schedule.hpp"
+#include "standard_streams.hpp"
+#include "summary.hpp"
 #include "view/paint.hpp"
 #include "view/text_screen.hpp"
 
 namespace carom {
+namespace {
 
-int run(const Options& options) {
-  Session session(options.scenes.empty() ? builtin_scene() : read_scene(options.scenes.front()));
-  session.advance_clock_to(session.scene().duration);
+using Clock = std::chrono::steady_clock;
+
+/// Two texts into one file would leave neither of them whole.
+void refuse_one_file_for_two(const Options& options) {
+  const std::array<std::pair<const char*, const std::string*>, 3> files{
+      {{"--dump", &options.dump}, {"--report", &options.report}, {"--save", &options.save}}};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t j = i + 1; j < files.size(); ++j) {
+      if (files[i].second->empty() || files[j].second->empty()) continue;
+      if (!is_same_file(*files[i].second, *files[j].second)) continue;
+      throw UsageError(fmt::format("{} and {} both write to '{}': give them two files",
+                                   files[i].first, files[j].first, *files[j].second));
+    }
+  }
+}
+
+bool takes_standard_output(const Options& options) {
+  return is_standard_output(options.dump) || is_standard_output(options.report) ||
+         is_standard_output(options.save);
+}
+
+void dump_frame(const Session& session, std::uint64_t number, const Options& options,
+                OutputFile& file) {
+  if (!file || number % options.every != 0) return;
   Canvas canvas(options.columns, options.rows);
   paint(session.simulation().frame(), canvas);
-  std::fputs(to_text(canvas, 0, session.clock()).c_str(), stdout);
+  file.write(to_text(canvas, number, session.simulation().time()));
+}
+
+}  // namespace
+
+int run(const Options& options) {
+  refuse_one_file_for_two(options);
+  const Scene scene = load_scene(options.scenes.front(), options);
+
+  // Opened before anything runs: what cannot be written is found now.
+  UnfinishedFiles::remove_on_signals();
+  OutputFile dump(options.dump);
+  OutputFile report_file(options.report);
+  OutputFile save(options.save);
+
+  const auto started = Clock::now();
+  Session session(scene);
+  Schedule schedule(session, options);
+  Progress progress(!options.quiet);
+  dump_frame(session, schedule.frame(), options, dump);
+  while (schedule.next_frame()) {
+    dump_frame(session, schedule.frame(), options, dump);
+    progress.show(schedule.part_done(), session.simulation().time());
+  }
+  progress.erase();
+
+  Report report = make_report(session);
+  report.frames = schedule.frames();
+  report.ended = end_name(schedule.end());
+  report.wall_seconds = std::chrono::duration<double>(Clock::now() - started).count();
+  report_file.write(to_json(report));
+  save.write(write_scene(session.save()));
+
+  dump.commit();
+  report_file.commit();
+  save.commit();
+  if (options.quiet) return 0;
+  if (takes_standard_output(options)) {
+    print_error(to_summary(report));
+  } else {
+    print(to_summary(report));
+  }
   return 0;
 }
 

@@ -3,18 +3,54 @@
 #include <nlohmann/json.hpp>
 
 namespace carom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json pair(const Vec2& vector) {
+  return Json::array({vector.x(), vector.y()});
+}
+
+Json seconds_by_name(const Seconds& seconds) {
+  Json json = Json::object();
+  for (const auto& [name, spent] : seconds) json[name] = spent;
+  return json;
+}
+
+Json costs_by_name(const Seconds& seconds) {
+  Json json = Json::object();
+  for (const auto& [name, spent] : seconds) json[name] = {{"seconds", spent}};
+  return json;
+}
+
+Json state_of(const Report& report) {
+  Json json = Json::array();
+  for (const Ball& ball : report.state) {
+    Json entry = {{"position", pair(ball.position)},
+                  {"velocity", pair(ball.velocity)},
+                  {"radius", ball.radius},
+                  {"mass", ball.mass}};
+    if (report.spin) entry["spin"] = ball.spin;
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
+}  // namespace
 
 const char* version() {
   return CAROM_VERSION;
 }
 
-Report make_report(const Session& session, std::size_t frames, double wall_seconds) {
+const char* method_name(Method method) {
+  return method == Method::overlap ? "overlap" : "event";
+}
+
+Report make_report(const Session& session) {
   const Simulation& simulation = session.simulation();
   Report report;
   report.scene = session.scene().name;
   report.time = simulation.time();
-  report.frames = frames;
-  report.wall_seconds = wall_seconds;
   report.method = simulation.method();
   report.step = simulation.step();
   report.digits = session.scene().solver.digits;
@@ -28,11 +64,33 @@ Report make_report(const Session& session, std::size_t frames, double wall_secon
 }
 
 std::string to_json(const Report& report) {
-  nlohmann::ordered_json json;
+  const Measurements& measured = report.measurements;
+  Json json;
   json["version"] = version();
   json["scene"] = report.scene;
   json["time"] = report.time;
-  return json.dump(2);
+  json["frames"] = report.frames;
+  json["ended"] = report.ended;
+  json["balls"] = report.state.size();
+  json["method"] = method_name(report.method);
+  json["step"] = report.step;
+  json["digits"] = report.digits;
+  json["workers"] = report.workers;
+  json["seed"] = report.seed;
+  json["events"] = {{"ball_ball", measured.ball_ball}, {"ball_wall", measured.ball_wall}};
+  json["energy"] = {{"initial", measured.energy_initial},
+                    {"final", measured.energy_final},
+                    {"input", measured.energy_input},
+                    {"relative_error", measured.relative_energy_error()}};
+  json["momentum"] = {{"initial", pair(measured.momentum_initial)},
+                      {"final", pair(measured.momentum_final)}};
+  json["max_overlap"] = measured.max_overlap;
+  json["wall_seconds"] = report.wall_seconds;
+  json["phases"] = seconds_by_name(measured.phases);
+  json["effects"] = costs_by_name(measured.effects);
+  json["state_hash"] = report.state_hash;
+  json["state"] = state_of(report);
+  return json.dump(2) + '\n';
 }
 
 }  // namespace carom

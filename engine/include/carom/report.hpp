@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "carom/session.hpp"
 
@@ -10,9 +12,10 @@ namespace carom {
 /// What a headless run did, as it is written to a file.
 struct Report {
   std::string scene;
-  double time = 0;          ///< simulated seconds at the end
-  std::size_t frames = 0;   ///< frames of the frame clock in this run
-  double wall_seconds = 0;  ///< of the whole run
+  double time = 0;           ///< simulated seconds at the end
+  std::uint64_t frames = 0;  ///< frames of the frame clock in this run
+  std::string ended;         ///< by what: "time", "frames", "script" or "paused"
+  double wall_seconds = 0;   ///< of the whole run
   Method method = Method::overlap;
   double step = 0;
   int digits = 16;
@@ -24,10 +27,12 @@ struct Report {
   std::vector<Ball> state;
 };
 
-Report make_report(const Session& session, std::size_t frames, double wall_seconds);
+Report make_report(const Session& session);
 
 /// The report as a JSON object.
 std::string to_json(const Report& report);
+
+const char* method_name(Method method);
 
 /// The version of the engine, as in "0.1.0".
 const char* version();

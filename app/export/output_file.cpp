@@ -1,0 +1,139 @@
+#include "export/output_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "export/unfinished_files.hpp"
+
+namespace carom {
+namespace {
+
+constexpr std::size_t kBufferSize = std::size_t{1} << 16;
+constexpr mode_t kNewFileMode = 0666;  // less the umask
+
+/// The descriptor that a name like /dev/stdout or /dev/fd/3 stands for, else -1.
+int named_descriptor(const std::string& file) {
+  if (file == "-" || file == "/dev/stdout") return STDOUT_FILENO;
+  if (file == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!file.starts_with(folder)) continue;
+    int descriptor = -1;
+    const char* const end = file.data() + file.size();
+    const auto [stopped, error] = std::from_chars(file.data() + folder.size(), end, descriptor);
+    if (error == std::errc{} && stopped == end) return descriptor;
+  }
+  return -1;
+}
+
+mode_t mode_of_new_files() {
+  const mode_t mask = umask(0);
+  umask(mask);
+  return kNewFileMode & ~mask;
+}
+
+}  // namespace
+
+bool is_standard_output(const std::string& file) {
+  return named_descriptor(file) == STDOUT_FILENO;
+}
+
+bool is_same_file(const std::string& one, const std::string& other) {
+  if (is_standard_output(one) && is_standard_output(other)) return true;
+  struct stat first {};
+  struct stat second {};
+  if (stat(one.c_str(), &first) == 0 && stat(other.c_str(), &second) == 0) {
+    // What is written through may well be shared, as /dev/null is.
+    return S_ISREG(first.st_mode) && first.st_dev == second.st_dev && first.st_ino == second.st_ino;
+  }
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(one, ignored) ==
+         std::filesystem::weakly_canonical(other, ignored);
+}
+
+OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
+  if (name_.empty()) return;
+  if (const int open_already = named_descriptor(name_); open_already >= 0) {
+    if (name_ == "-") name_ = "standard output";
+    descriptor_ = fcntl(open_already, F_DUPFD_CLOEXEC, 0);
+    if (descriptor_ < 0) fail();
+    return;
+  }
+  struct stat status {};
+  const bool exists = stat(name_.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) {
+    errno = EISDIR;
+    fail();
+  }
+  if (exists && !S_ISREG(status.st_mode)) {
+    descriptor_ = open(name_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail();
+    return;
+  }
+  // A file that may not be written is not replaced either.
+  if (exists && access(name_.c_str(), W_OK) != 0) fail();
+  std::error_code error;
+  target_ = exists ? std::filesystem::canonical(name_, error).string() : name_;
+  if (error) throw std::system_error(error, name_);
+  temporary_ = target_ + ".XXXXXX";
+  descriptor_ = UnfinishedFiles::create(temporary_);
+  if (descriptor_ < 0) {
+    temporary_.clear();
+    fail();
+  }
+  (void)fchmod(descriptor_, exists ? status.st_mode & 07777U : mode_of_new_files());
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : name_(std::move(other.name_)),
+      target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      buffer_(std::move(other.buffer_)) {}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+  if (!temporary_.empty()) UnfinishedFiles::remove(temporary_);
+}
+
+void OutputFile::write(std::string_view text) {
+  if (descriptor_ < 0) return;
+  buffer_ += text;
+  // What is written through may be watched as it comes.
+  if (buffer_.size() >= kBufferSize || temporary_.empty()) flush();
+}
+
+void OutputFile::flush() {
+  std::string_view rest = buffer_;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail();
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  buffer_.clear();
+}
+
+void OutputFile::commit() {
+  if (descriptor_ < 0) return;
+  flush();
+  if (!temporary_.empty() && fsync(descriptor_) != 0) fail();
+  if (close(std::exchange(descriptor_, -1)) != 0) fail();
+  if (temporary_.empty()) return;
+  if (rename(temporary_.c_str(), target_.c_str()) != 0) fail();
+  UnfinishedFiles::forget(temporary_);
+  temporary_.clear();
+}
+
+void OutputFile::fail() const {
+  throw std::system_error(errno, std::generic_category(), name_);
+}
+
+}  // namespace carom

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+namespace carom {
+
+/// The temporary files of this process that a signal must not leave behind.
+///
+/// Threads: the control thread only; the signal handler reads what the functions leave in place.
+namespace UnfinishedFiles {
+
+/// Creates a file whose name ends in XXXXXX, which are replaced; its descriptor, or -1 and errno.
+int create(std::string& name);
+/// Removes the file.
+void remove(const std::string& name);
+/// The file is finished, or gone.
+void forget(const std::string& name);
+
+/// From now on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGPIPE remove the files before they end the
+/// program as ever; one that was ignored stays ignored.
+void remove_on_signals();
+
+}  // namespace UnfinishedFiles
+
+}  // namespace carom

@@ -1,0 +1,48 @@
+#include "summary.hpp"
+
+#include <fmt/format.h>
+
+namespace carom {
+namespace {
+
+std::string row(const std::string& name, const std::string& value) {
+  return fmt::format("  {:<18}{}\n", name, value);
+}
+
+std::string end_of(const Report& report) {
+  if (report.ended == "script") return "; the script quit";
+  if (report.ended == "paused") return "; paused, and nothing in the script resumes it";
+  return "";
+}
+
+std::string costs(const std::string& what, const Seconds& seconds) {
+  std::string text;
+  for (const auto& [name, spent] : seconds) {
+    text += row(fmt::format("{} {}", what, name), fmt::format("{:.3f} s", spent));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string to_summary(const Report& report) {
+  const Measurements& measured = report.measurements;
+  std::string text = report.scene.empty() ? "a scene without a name\n" : report.scene + '\n';
+  text += row("time", fmt::format("{:.10g} s simulated{}", report.time, end_of(report)));
+  text += row("frames", fmt::format("{}", report.frames));
+  text += row("balls", fmt::format("{}", report.state.size()));
+  text += row("workers", fmt::format("{}", report.workers));
+  text += row("method", fmt::format("{}, step {:.4g} s", method_name(report.method), report.step));
+  text += row("events",
+              fmt::format("{} ball-ball, {} ball-wall", measured.ball_ball, measured.ball_wall));
+  text += row("energy", fmt::format("{:.10g}, at first {:.10g}", measured.energy_final,
+                                    measured.energy_initial));
+  text += row("energy error", fmt::format("{:.2e} relative", measured.relative_energy_error()));
+  text += row("max overlap", fmt::format("{:.2e} of the smaller radius", measured.max_overlap));
+  text += row("wall clock", fmt::format("{:.3f} s", report.wall_seconds));
+  text += costs("phase", measured.phases);
+  text += costs("effect", measured.effects);
+  return text;
+}
+
+}  // namespace carom
