@@ -1,14 +1,28 @@
 #pragma once
 
-#include <string>
+#include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace carom {
 
+/// What a cell shows: screens with colours tell these apart.
+enum class Ink : unsigned char {
+  none,
+  wall,      ///< a solid side of the box
+  periodic,  ///< a side that a ball leaves through to come in at the other
+  open,      ///< a side that is not there: the scene has no walls
+  ball,
+  fixed,   ///< a ball that never moves
+  status,  ///< a line about the run
+  notice   ///< what a key just did
+};
+
 /// One character cell of a picture.
 struct Cell {
-  char character = ' ';
-  double heat = 0;  ///< 0 slow .. 1 fast; colours it where the screen has colours
+  char character = ' ';  ///< printable ASCII
+  Ink ink = Ink::none;
+  float heat = 0;  ///< of a ball: 0 still .. 1 fast
 };
 
 /// A rectangle of cells, row 0 at the top.
@@ -18,12 +32,24 @@ struct Canvas {
   std::vector<Cell> cells;
 
   Canvas(int width, int height)
-      : columns(width), rows(height), cells(static_cast<std::size_t>(width * height)) {}
-  [[nodiscard]] Cell& at(int column, int row) {
-    return cells[static_cast<std::size_t>(row * columns + column)];
+      : columns(width > 0 ? width : 0),
+        rows(height > 0 ? height : 0),
+        cells(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
+
+  [[nodiscard]] Cell& at(int column, int row) { return cells[index(column, row)]; }
+  [[nodiscard]] const Cell& at(int column, int row) const { return cells[index(column, row)]; }
+  [[nodiscard]] bool holds(int column, int row) const {
+    return column >= 0 && column < columns && row >= 0 && row < rows;
   }
-  [[nodiscard]] const Cell& at(int column, int row) const {
-    return cells[static_cast<std::size_t>(row * columns + column)];
+
+  /// Writes text from a cell to the right; what does not fit, or is not printable ASCII, is left
+  /// out or shown as '?'.
+  void write(int column, int row, std::string_view text, Ink ink);
+
+ private:
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
   }
 };
 
