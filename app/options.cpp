@@ -66,8 +66,12 @@ class Syntax {
     try {
       app_.parse(arguments);
     } catch (const CLI::ArgumentMismatch& error) {
-      const std::string message = error.what();
-      throw UsageError(message.substr(0, message.find(':')) + ": needs a value" + see_help());
+      const std::string message =
+          error.what();  // "--time: 1 required ..." or "quiet was given ..."
+      const bool flag = !message.starts_with('-');
+      throw UsageError(fmt::format("{}{}: {}{}", flag ? "--" : "",
+                                   message.substr(0, message.find_first_of(": ")),
+                                   flag ? "takes no value" : "needs a value", see_help()));
     } catch (const CLI::ParseError& error) {
       throw UsageError(error.what() + see_help());
     }
