@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "carom/ball.hpp"
+#include "carom/session.hpp"
+
+namespace carom {
+
+/// A ball like the newest free one, at a free place and on its way; `number` tells newcomers apart.
+/// None where there is no free place.
+std::optional<Ball> newcomer(const Session& session, std::uint64_t number);
+
+}  // namespace carom

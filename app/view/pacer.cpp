@@ -1,0 +1,13 @@
+#include "view/pacer.hpp"
+
+namespace carom {
+
+void Pacer::shown(Instant now) {
+  due_ += period_;
+  if (now < due_) return;
+  const auto missed = (now - due_) / period_ + 1;
+  due_ += missed * period_;
+  late_ += static_cast<std::uint64_t>(missed);
+}
+
+}  // namespace carom

@@ -1,0 +1,326 @@
+#include "view/player.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "carom/scene_file.hpp"
+#include "view/keys.hpp"
+#include "view/newcomer.hpp"
+#include "view/paint.hpp"
+#include "view/status.hpp"
+
+namespace carom {
+namespace {
+
+using Real = std::chrono::duration<double>;
+
+constexpr Pacer::Period kPeriod{std::chrono::nanoseconds{std::chrono::seconds{1}} / 30};
+constexpr double kShare = 0.75;      // of a period: computing stops there, the rest is for drawing
+constexpr double kSliceShare = 0.6;  // of the time left: a slice may cost more than was foreseen
+constexpr std::chrono::seconds kNoticeStays{2};
+constexpr std::chrono::milliseconds kEnergyEvery{500};
+constexpr std::chrono::hours kForever{24};
+constexpr double kFastest = 64;
+constexpr double kFallsBehind = 0.95;  // of the speed wanted; below, the status says so
+constexpr int kLeastColumns = 20;
+constexpr int kLeastRows = 8;
+constexpr int kRowsForHints = 12;  // screens this high have a second line below
+
+Instant::duration whole(Real real) {
+  return std::chrono::duration_cast<Instant::duration>(real);
+}
+
+}  // namespace
+
+Player::Player(Scene scene, UserInterface& interface)
+    : scene_(std::move(scene)), interface_(interface), pacer_(kPeriod, interface.now()) {
+  session_.emplace(scene_);
+}
+
+int Player::play() {
+  pacer_.restart(interface_.now());
+  energy_due_ = interface_.now();
+  show();
+  pacer_.shown(interface_.now());
+  while (!quit_ && !session_->quit()) {
+    if (idle()) {
+      handle_events_until(interface_.now() + kForever);
+      pacer_.restart(interface_.now());
+    } else {
+      handle_events_until(pacer_.due());
+    }
+    if (quit_) break;
+    compute();
+    if (changed_) {
+      show();
+    } else {
+      meter_.reset();
+    }
+    pacer_.shown(interface_.now());
+  }
+  return signal_;
+}
+
+bool Player::idle() const {
+  return session_->stuck() && single_ == 0 && !changed_;
+}
+
+/// Keys that are already there are all obeyed, but not for ever: a frame comes in between.
+void Player::handle_events_until(Instant due) {
+  const Instant latest = std::max(due, interface_.now()) + pacer_.period() / 4;
+  for (;;) {
+    const Event event = interface_.wait_until(due);
+    if (event.kind == Event::Kind::none) return;
+    handle(event);
+    if (quit_ || interface_.now() >= latest) return;
+    if (session_->paused()) due = std::min(due, interface_.now());
+  }
+}
+
+void Player::handle(const Event& event) {
+  switch (event.kind) {
+    case Event::Kind::none:
+      return;
+    case Event::Kind::key:
+      press(static_cast<char>(event.value));
+      break;
+    case Event::Kind::resized:
+      break;
+    case Event::Kind::resumed:
+      pacer_.restart(interface_.now());
+      meter_.reset();
+      break;
+    case Event::Kind::ended:
+      signal_ = event.value;
+      quit_ = true;
+      break;
+  }
+  changed_ = true;
+}
+
+/// Moves the simulation on by what a frame wants, as far as the time for a frame reaches.
+void Player::compute() {
+  const Instant start = interface_.now();
+  const Instant limit = start + whole(kShare * Real(pacer_.period()));
+  const double target = session_->clock() + speed_ / kFramesPerSecond;
+  const bool moves = !session_->paused() || single_ > 0;
+  double left = single_ > 0 ? single_ : target - session_->clock();
+  Instant now = start;
+  while (left > 0 && !session_->quit() && now < limit) {
+    // Nothing known of the cost yet: a step at a time.
+    const double affordable =
+        slice_cost_ > 0 ? kSliceShare * Real(limit - now).count() / slice_cost_ : 0;
+    const double slice = std::min(left, std::max(session_->simulation().step(), affordable));
+    if (single_ > 0) {
+      session_->nudge(slice);
+      left = single_ = slice < left ? left - slice : 0;
+    } else {
+      session_->advance_clock_to(slice < left ? session_->clock() + slice : target);
+      left = slice < left ? target - session_->clock() : 0;
+    }
+    const Instant then = std::exchange(now, interface_.now());
+    if (moves) slice_cost_ = std::max(0.9 * slice_cost_, Real(now - then).count() / slice);
+  }
+  computing_ = now - start;
+  changed_ = changed_ || moves || (!notice_.empty() && now >= notice_until_ && !idle());
+}
+
+void Player::show() {
+  const Instant now = interface_.now();
+  const UserInterface::Size size = interface_.size();
+  Canvas screen(size.columns, size.rows);
+  changed_ = false;
+  if (size.columns < kLeastColumns || size.rows < kLeastRows) {
+    screen.write(0, 0, "too small:", Ink::notice);
+    screen.write(0, 1, fmt::format("{}x{} is least", kLeastColumns, kLeastRows), Ink::notice);
+    interface_.show(screen);
+    return;
+  }
+  const Simulation& simulation = session_->simulation();
+  const int lines = size.rows >= kRowsForHints ? 2 : 1;
+  Canvas picture(size.columns, size.rows - lines);
+  paint(simulation.frame(), picture);
+  if (help_page_ >= 0) paint_help(picture, help_page_);
+  std::copy(picture.cells.begin(), picture.cells.end(), screen.cells.begin());
+
+  if (now >= energy_due_ || session_->paused()) {
+    energy_error_ = simulation.measure().relative_energy_error();
+    energy_due_ = now + kEnergyEvery;
+  }
+  if (now >= notice_until_ && !session_->paused()) notice_.clear();
+  const bool running = !session_->paused();
+  if (running) {
+    meter_.record(now, simulation.time(), computing_);
+    ++frames_;
+  } else {
+    meter_.reset();
+  }
+  Status status;
+  status.scene = scene_.name.empty() ? "carom" : scene_.name;
+  status.balls = simulation.balls();
+  status.workers = simulation.workers();
+  status.time = simulation.time();
+  status.frames_per_second = meter_.frames_per_second();
+  status.computing_milliseconds = running ? meter_.computing_milliseconds() : 0;
+  status.energy_error = energy_error_;
+  status.late = pacer_.late();
+  status.speed = speed_;
+  status.paused = !running;
+  const auto pace = meter_.pace();
+  if (pace && *pace < kFallsBehind * speed_) status.pace = pace;
+
+  const int below = size.rows - lines;
+  const std::string line = status_line(status, size.columns);
+  if (lines == 2) {
+    screen.write(0, below, line, Ink::status);
+    if (notice_.empty()) {
+      screen.write(0, below + 1,
+                   key_hints(size.columns, !running, scene_.effects.gravity.has_value()),
+                   Ink::status);
+    } else {
+      screen.write(0, below + 1, ' ' + notice_, Ink::notice);
+    }
+  } else if (notice_.empty()) {
+    screen.write(0, below, line, Ink::status);
+  } else {
+    screen.write(0, below, ' ' + notice_, Ink::notice);
+  }
+  interface_.show(screen);
+}
+
+void Player::say(std::string notice) {
+  notice_ = std::move(notice);
+  notice_until_ = interface_.now() + kNoticeStays;
+}
+
+void Player::press(char key) {
+  switch (key) {
+    case ' ':
+    case 'p':
+      meter_.reset();
+      if (session_->paused()) {
+        obey(command::Resume{}, "running");
+      } else {
+        obey(command::Pause{}, "paused: space goes on, . shows one frame");
+      }
+      return;
+    case '.':
+      if (!session_->paused()) return say("'.' shows one frame while paused: space pauses");
+      single_ += speed_ / kFramesPerSecond;
+      return say("one frame");
+    case 'a':
+      return add_balls(1);
+    case 'A':
+      return add_balls(10);
+    case 'x':
+      if (session_->simulation().balls() == 0) return say("there is no ball to remove");
+      return obey(command::Remove{}, "removed the newest ball");
+    case 'r':
+      return restart();
+    case '+':
+    case '=':
+      return change_speed(2);
+    case '-':
+    case '_':
+      return change_speed(0.5);
+    case '[':
+      return change_step(0.5);
+    case ']':
+      return change_step(2);
+    case 'g':
+      return toggle_gravity();
+    case '?':
+      ++help_page_;
+      {
+        const UserInterface::Size size = interface_.size();
+        const Canvas canvas(size.columns, size.rows - (size.rows >= kRowsForHints ? 2 : 1));
+        if (help_page_ >= help_pages(canvas)) help_page_ = -1;
+        return say(help_page_ < 0 ? "help away" : "help: ? for more, then away");
+      }
+    case 'q':
+      quit_ = true;
+      return say("quit");
+    default:
+      return say(key > ' ' && key <= '~' ? fmt::format("'{}' is no key here: ? lists them", key)
+                                         : "that is no key here: ? lists them");
+  }
+}
+
+/// A command that the engine refuses is said and changes nothing.
+void Player::obey(const Command& command, const std::string& notice) {
+  try {
+    session_->apply(command);
+    say(notice);
+  } catch (const SceneError& refused) {
+    say(refused.problems().empty() ? refused.what() : refused.problems().front().message);
+  } catch (const std::invalid_argument& refused) {
+    say(refused.what());
+  }
+}
+
+void Player::add_balls(int count) {
+  int placed = 0;
+  for (; placed < count; ++placed) {
+    const std::optional<Ball> ball = newcomer(*session_, added_);
+    if (!ball) break;
+    ++added_;
+    session_->apply(command::Add{*ball});
+  }
+  if (placed == count) {
+    say(count == 1 ? "added a ball" : fmt::format("added {} balls", count));
+  } else {
+    say(placed == 0 ? "no free place for a ball"
+                    : fmt::format("added {}: no free place for more", placed));
+  }
+}
+
+void Player::change_speed(double factor) {
+  const double speed = speed_ * factor;
+  if (speed > kFastest || speed < 1 / kFastest) {
+    return say(fmt::format("speed stays {}", speed_text(speed_)));
+  }
+  speed_ = speed;
+  meter_.reset();
+  say(fmt::format("speed {}", speed_text(speed_)));
+}
+
+void Player::change_step(double factor) {
+  const double step = session_->simulation().step() * factor;
+  slice_cost_ = 0;
+  obey(command::SetStep{step}, fmt::format("step 1/{:.6g} s", 1 / step));
+}
+
+void Player::toggle_gravity() {
+  const auto& gravity = scene_.effects.gravity;
+  if (!gravity) return say("this scene has no gravity");
+  command::SetEffects change;
+  change.effects.gravity = gravity_ ? Gravity{{0, 0}} : *gravity;
+  gravity_ = !gravity_;
+  obey(change, gravity_ ? "gravity on" : "gravity off");
+}
+
+void Player::restart() {
+  session_.reset();  // its threads end before as many start again
+  session_.emplace(scene_);
+  gravity_ = true;
+  added_ = 0;
+  single_ = 0;
+  slice_cost_ = 0;
+  meter_.reset();
+  energy_due_ = interface_.now();
+  pacer_.restart(interface_.now());
+  say("restarted");
+}
+
+std::string Player::summary() const {
+  const Measurements measured = session_->simulation().measure();
+  return fmt::format(
+      "{}: {:.2f} s in {} frames, {} late; {} impacts of balls, {} of walls; energy error {:.1e}",
+      scene_.name.empty() ? "carom" : scene_.name, session_->simulation().time(), frames_,
+      pacer_.late(), measured.ball_ball, measured.ball_wall, measured.relative_energy_error());
+}
+
+}  // namespace carom
