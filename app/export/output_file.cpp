@@ -53,9 +53,10 @@ bool is_same_file(const std::string& one, const std::string& other) {
     // What is written through may well be shared, as /dev/null is.
     return S_ISREG(first.st_mode) && first.st_dev == second.st_dev && first.st_ino == second.st_ino;
   }
+  namespace fs = std::filesystem;
   std::error_code ignored;
-  return std::filesystem::weakly_canonical(one, ignored) ==
-         std::filesystem::weakly_canonical(other, ignored);
+  return fs::weakly_canonical(fs::absolute(one), ignored) ==
+         fs::weakly_canonical(fs::absolute(other), ignored);
 }
 
 OutputFile::OutputFile(const std::string& option, const std::string& name)
