@@ -43,6 +43,7 @@ struct Fill {
   double temperature = 0;  ///< k_B = 1: variance of each velocity component is temperature / mass
   Arrangement arrangement = Arrangement::random;
   std::optional<std::array<Vec2, 2>> region;  ///< lower and upper corner; the whole box if absent
+  char glyph = 0;                             ///< of all its balls; 0: the painter's choice
 };
 
 enum class Method { overlap, event };
@@ -87,6 +88,7 @@ struct Scene {
   double frame_rate = 30;              ///< frames per second of the frame clock
   std::vector<ScriptLine> script;      ///< in order of `at`
   std::optional<Continuation> continuation;
+  std::string source;  ///< the file it was read from, for messages; no part of what is computed
 };
 
 /// The scene's balls, then those of its fills, in order.

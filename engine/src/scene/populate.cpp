@@ -1,12 +1,187 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <thread>
 
 #include "carom/scene.hpp"
+#include "carom/scene_file.hpp"
+#include "scene/disk_grid.hpp"
+#include "scene/lattice.hpp"
+#include "scene/random.hpp"
 
 namespace carom {
 
+namespace {
+
+using scene::DiskGrid;
+using scene::Lattice;
+using scene::Random;
+using scene::Region;
+
+/// Random places are given up beyond so many tries a ball, on average.
+constexpr std::size_t kTriesPerBall = 1000;
+constexpr std::size_t kTriesAtLeast = 10'000;
+/// Disks put down at random one by one jam at this packing.
+/// Source: Torquato, Uche, Stillinger 2006: 0.547.
+constexpr double kJammed = 0.547;
+
+[[noreturn]] void no_room(const Scene& scene, std::size_t fill, std::string message) {
+  throw SceneError(scene.source, {{fmt::format("/fill/{}/count", fill), std::move(message)}});
+}
+
+Region region_of(const Fill& fill, const Box& box) {
+  Region region{box.lower(), box.upper(), {}};
+  if (fill.region) {
+    region.lower = (*fill.region)[0];
+    region.upper = (*fill.region)[1];
+  }
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto k = static_cast<Eigen::Index>(axis);
+    region.around[axis] = box.periodic[axis] && region.lower[k] == box.lower()[k] &&
+                          region.upper[k] == box.upper()[k];
+  }
+  return region;
+}
+
+/// Lower and upper bounds of the centres of balls that lie wholly in the region.
+Region centres_of(const Region& region, double radius) {
+  Region centres = region;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (region.around[axis]) continue;
+    const auto k = static_cast<Eigen::Index>(axis);
+    centres.lower[k] = region.lower[k] + radius;
+    // A region as wide as its ball is left with one place, whatever the rounding.
+    centres.upper[k] = std::max(centres.lower[k], region.upper[k] - radius);
+  }
+  return centres;
+}
+
+void place_at_random(const Scene& scene, std::size_t number, DiskGrid& grid,
+                     std::vector<Vec2>& places) {
+  const Fill& fill = scene.fills[number];
+  const Region region = region_of(fill, scene.box);
+  const Region centres = centres_of(region, fill.radius);
+  const Vec2 size = region.upper - region.lower;
+  const double packing = static_cast<double>(fill.count) * std::numbers::pi * fill.radius *
+                         fill.radius / (size.x() * size.y());
+  if (fill.count > kTriesAtLeast && packing > 1.05 * kJammed) {
+    no_room(scene, number,
+            fmt::format("does not fit: random places jam when {:.1f} % of the region is covered, "
+                        "and {} balls of radius {:g} cover {:.1f} %; ask for fewer or smaller "
+                        "balls, or \"arrangement\": \"hexagonal\"",
+                        100 * kJammed, fill.count, fill.radius, 100 * packing));
+  }
+  Random random(scene.seed, 2 * number);
+  std::size_t tries = kTriesAtLeast + kTriesPerBall * fill.count;
+  while (places.size() < fill.count) {
+    if (tries-- == 0) {
+      no_room(
+          scene, number,
+          fmt::format("does not fit: only {} of {} balls found room at random; ask for fewer or "
+                      "smaller balls, or \"arrangement\": \"hexagonal\"",
+                      places.size(), fill.count));
+    }
+    Vec2 place{0, 0};
+    for (Eigen::Index k = 0; k < 2; ++k) {
+      place[k] = centres.lower[k] + random.uniform() * (centres.upper[k] - centres.lower[k]);
+      place[k] = std::min(place[k], centres.upper[k]);
+      if (region.around[static_cast<std::size_t>(k)] && place[k] >= region.upper[k]) {
+        place[k] = region.lower[k];
+      }
+    }
+    if (!grid.is_free(place, fill.radius)) continue;
+    grid.insert(place, fill.radius);
+    places.push_back(place);
+  }
+}
+
+/// The lattice is made finer until enough of its sites are free of earlier balls; of those, `count`
+/// are taken at even distances in their order.
+void place_on_lattice(const Scene& scene, std::size_t number, DiskGrid& grid,
+                      std::vector<Vec2>& places) {
+  const Fill& fill = scene.fills[number];
+  const Region region = region_of(fill, scene.box);
+  std::size_t sites = fill.count;
+  while (true) {
+    const Lattice lattice = fill.arrangement == Fill::Arrangement::square
+                                ? square_lattice(region, sites)
+                                : hexagonal_lattice(region, sites);
+    if (lattice.spacing * (1 + 0x1p-48) < 2 * fill.radius) {
+      no_room(scene, number,
+              fmt::format("does not fit: a lattice of {} sites has a spacing of {:.6g}, less than "
+                          "the diameter {:g}; ask for fewer or smaller balls",
+                          lattice.sites.size(), lattice.spacing, 2 * fill.radius));
+    }
+    std::vector<Vec2> free;
+    for (const Vec2& site : lattice.sites) {
+      if (grid.is_free(site, fill.radius)) free.push_back(site);
+    }
+    if (free.size() >= fill.count) {
+      for (std::size_t i = 0; i < fill.count; ++i) {
+        places.push_back(free[i * free.size() / fill.count]);
+      }
+      break;
+    }
+    sites = std::max(sites, lattice.sites.size()) + (fill.count - free.size());
+  }
+  for (const Vec2& place : places) grid.insert(place, fill.radius);
+}
+
+/// Gaussian velocities less their mean, stretched by sqrt(n / (n - 1)) so that the variance of each
+/// component stays temperature / mass although the mean is taken away.
+void give_velocities(const Scene& scene, std::size_t number, std::vector<Ball>& balls,
+                     std::size_t first) {
+  const Fill& fill = scene.fills[number];
+  const std::size_t n = balls.size() - first;
+  if (fill.temperature == 0 || n < 2) return;
+  Random random(scene.seed, 2 * number + 1);
+  Vec2 mean{0, 0};
+  for (std::size_t i = first; i < balls.size(); ++i) {
+    const double x = random.gaussian();
+    const double y = random.gaussian();
+    balls[i].velocity = {x, y};
+    mean += balls[i].velocity;
+  }
+  const auto count = static_cast<double>(n);
+  mean /= count;
+  const double stretch = std::sqrt(count / (count - 1));
+  const double speed = std::sqrt(fill.temperature / fill.mass);
+  for (std::size_t i = first; i < balls.size(); ++i) {
+    balls[i].velocity = (balls[i].velocity - mean) * stretch * speed;
+  }
+}
+
+}  // namespace
+
 std::vector<Ball> populate(const Scene& scene) {
-  return scene.balls;
+  std::vector<Ball> balls = scene.balls;
+  if (scene.fills.empty()) return balls;
+  DiskGrid grid(scene.box);
+  for (const Ball& ball : balls) grid.insert(ball.position, ball.radius);
+  for (std::size_t number = 0; number < scene.fills.size(); ++number) {
+    const Fill& fill = scene.fills[number];
+    if (fill.count == 0) continue;
+    std::vector<Vec2> places;
+    places.reserve(fill.count);
+    if (fill.arrangement == Fill::Arrangement::random) {
+      place_at_random(scene, number, grid, places);
+    } else {
+      place_on_lattice(scene, number, grid, places);
+    }
+    const std::size_t first = balls.size();
+    for (const Vec2& place : places) {
+      Ball ball;
+      ball.position = place;
+      ball.radius = fill.radius;
+      ball.mass = fill.mass;
+      ball.glyph = fill.glyph;
+      balls.push_back(ball);
+    }
+    give_velocities(scene, number, balls, first);
+  }
+  return balls;
 }
 
 std::size_t worker_count(const Scene& scene, std::size_t balls) {

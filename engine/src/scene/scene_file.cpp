@@ -2,74 +2,144 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+#include "scene/builtin.hpp"
+#include "scene/from_tree.hpp"
+#include "scene/json_tree.hpp"
+#include "scene/judge.hpp"
+#include "scene/shape.hpp"
+#include "scene/text_check.hpp"
 
 namespace carom {
 
+namespace {
+
+std::string as_line(const std::string& source, const Problem& problem) {
+  std::string line = scene::printable(source);
+  if (!line.empty()) line += ": ";
+  if (!problem.place.empty()) line += problem.place + ": ";
+  return line + problem.message;
+}
+
+/// `outer` is a place that `inner` lies in, or the same.
+bool contains(std::string_view outer, std::string_view inner) {
+  return inner.starts_with(outer) && (inner.size() == outer.size() || inner[outer.size()] == '/');
+}
+
+/// The order in the file of what a pointer points to, or of the last part of it that is there.
+std::size_t ordinal_of(const scene::Value& root, std::string_view pointer) {
+  const scene::Value* value = &root;
+  while (!pointer.empty()) {
+    pointer.remove_prefix(1);
+    const std::size_t end = std::min(pointer.find('/'), pointer.size());
+    const std::string step(pointer.substr(0, end));
+    pointer.remove_prefix(end);
+    const scene::Value* next = value->find(step);
+    if (value->kind == scene::Value::Kind::list) {
+      const std::size_t index = std::strtoul(step.c_str(), nullptr, 10);
+      if (index < value->items().size()) next = &value->items()[index];
+    }
+    if (next == nullptr) break;
+    value = next;
+  }
+  return value->ordinal;
+}
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// The whole text; reads no further than the first byte that no text has, so that a device that
+/// never ends is refused as well.
+std::string read_text(const std::filesystem::path& path, const std::string& source) {
+  const bool standard_input = path == "-";
+  std::error_code ignored;
+  if (!standard_input && std::filesystem::is_directory(path, ignored)) {
+    throw SceneError(source, {{"", "is a directory, name a scene file"}});
+  }
+  errno = 0;
+  const File file = standard_input ? File(stdin, [](std::FILE*) { return 0; })
+                                   : File(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) {
+    throw SceneError(source, {{"", fmt::format("cannot be opened: {}", std::strerror(errno))}});
+  }
+  std::string text;
+  std::vector<char> chunk(std::size_t{1} << 16);
+  while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
+    text.append(chunk.data(), got);
+    if (std::memchr(chunk.data(), 0, got) != nullptr) break;
+  }
+  if (std::ferror(file.get()) != 0) {
+    throw SceneError(source, {{"", fmt::format("cannot be read: {}", std::strerror(errno))}});
+  }
+  return text;
+}
+
+}  // namespace
+
 SceneError::SceneError(std::string source, std::vector<Problem> problems)
-    : std::runtime_error(
-          fmt::format("{}: {}: {}", source, problems.front().place, problems.front().message)),
+    : std::runtime_error(as_line(source, problems.front())),
       source_(std::move(source)),
       problems_(std::move(problems)) {}
 
 std::string SceneError::line(const Problem& problem) const {
-  return fmt::format("{}: {}: {}", source_, problem.place, problem.message);
+  return as_line(source_, problem);
 }
 
 Scene read_scene(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::stringstream text;
-  text << in.rdbuf();
-  return parse_scene(text.str(), file.string());
-}
-
-Scene parse_scene(std::string_view text, const std::string& source) {
-  Scene scene;
-  nlohmann::json json;
-  try {
-    json = nlohmann::json::parse(text);
-  } catch (const nlohmann::json::parse_error& error) {
-    throw SceneError(source, {{"", error.what()}});
-  }
-  const auto vec = [](const nlohmann::json& j) {
-    return Vec2{j[0].get<double>(), j[1].get<double>()};
-  };
-  scene.name = json.value("name", "");
-  scene.box.width = json["box"]["width"];
-  scene.box.height = json["box"]["height"];
-  const auto& effects = json["effects"];
-  if (effects.contains("walls"))
-    scene.effects.walls = Walls{effects["walls"].value("restitution", 1.0)};
-  if (effects.contains("collisions"))
-    scene.effects.collisions = Collisions{effects["collisions"].value("restitution", 1.0)};
-  if (effects.contains("gravity")) scene.effects.gravity = Gravity{vec(effects["gravity"])};
-  for (const auto& j : json["balls"]) {
-    Ball ball;
-    ball.position = vec(j["position"]);
-    if (j.contains("velocity")) ball.velocity = vec(j["velocity"]);
-    ball.radius = j.value("radius", 0.5);
-    ball.mass = j.value("mass", 1.0);
-    ball.fixed = j.value("fixed", false);
-    scene.balls.push_back(ball);
-  }
+  const std::string source = file == "-" ? "standard input" : file.string();
+  Scene scene = parse_scene(read_text(file, source), source);
+  if (scene.name.empty()) scene.name = scene::printable(file.stem().string());
   return scene;
 }
 
-std::vector<Problem> find_problems(const Scene&) {
-  return {};
+Scene parse_scene(std::string_view text, const std::string& source) {
+  scene::Tree tree = scene::parse_tree(text);
+  std::vector<scene::Finding> findings = std::move(tree.findings);
+  scene::Draft draft;
+  if (tree.complete) {
+    for (scene::Finding& finding : scene::find_shape_problems(tree.root)) {
+      findings.push_back(std::move(finding));
+    }
+    const std::size_t shape_findings = findings.size();
+    draft = scene::draft_from_tree(tree.root);
+    if (tree.root.kind == scene::Value::Kind::object) {
+      for (Problem& problem : scene::judge(draft.scene, draft.script_lines)) {
+        // What has the wrong shape is not judged for its meaning as well.
+        const bool told = std::any_of(
+            findings.begin(), findings.begin() + static_cast<std::ptrdiff_t>(shape_findings),
+            [&](const scene::Finding& finding) {
+              return contains(finding.problem.place, problem.place) ||
+                     contains(problem.place, finding.problem.place);
+            });
+        if (told) continue;
+        const std::size_t ordinal = ordinal_of(tree.root, problem.place);
+        findings.push_back({ordinal, std::move(problem)});
+      }
+    }
+  }
+  if (!findings.empty()) {
+    std::stable_sort(findings.begin(), findings.end(),
+                     [](const auto& a, const auto& b) { return a.ordinal < b.ordinal; });
+    std::vector<Problem> problems;
+    problems.reserve(findings.size());
+    for (scene::Finding& finding : findings) problems.push_back(std::move(finding.problem));
+    throw SceneError(source, std::move(problems));
+  }
+  draft.scene.source = source;
+  return std::move(draft.scene);
 }
-std::string write_scene(const Scene&) {
-  return "{}";
+
+std::vector<Problem> find_problems(const Scene& scene) {
+  return scene::judge(scene, {});
 }
 
 Scene builtin_scene() {
-  Scene scene;
-  scene.name = "break";
-  scene.effects.walls = Walls{};
-  scene.effects.collisions = Collisions{};
-  scene.balls.push_back(Ball{{4, 5}, {9, 0.3}});
+  Scene scene = parse_scene(scene::kBuiltin, "the built-in scene");
   return scene;
 }
 

@@ -1,0 +1,168 @@
+#include "scene/disk_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::scene {
+
+namespace {
+
+/// The way from a to b by the shorter side of each periodic axis.
+Vec2 shortest(const Box& box, const Vec2& a, const Vec2& b) {
+  Vec2 r = b - a;
+  const Vec2 size = box.size();
+  for (int axis = 0; axis < 2; ++axis) {
+    if (box.periodic[static_cast<std::size_t>(axis)]) {
+      r[axis] -= size[axis] * std::round(r[axis] / size[axis]);
+    }
+  }
+  return r;
+}
+
+std::int64_t to_cell(double index) {
+  constexpr double kFar = 0x1p60;
+  return static_cast<std::int64_t>(std::floor(std::clamp(index, -kFar, kFar)));
+}
+
+std::int64_t wrapped(std::int64_t index, std::int64_t count) {
+  const std::int64_t rest = index % count;
+  return rest < 0 ? rest + count : rest;
+}
+
+}  // namespace
+
+double overlap_depth(const Box& box, const Vec2& a, double radius_a, const Vec2& b,
+                     double radius_b) {
+  const Vec2 r = shortest(box, a, b);
+  const double s = radius_a + radius_b;
+  if (std::abs(r.x()) >= s || std::abs(r.y()) >= s) return 0;
+  const double c = std::fma(r.x(), r.x(), std::fma(r.y(), r.y(), -s * s));
+  if (c >= 0) return 0;
+  // s - |r| = (s^2 - r^2) / (s + |r|): no cancellation where the two nearly touch.
+  const double depth = -c / (s + std::sqrt(r.squaredNorm()));
+  double coordinates = a.cwiseAbs().sum() + b.cwiseAbs().sum() + s;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (box.periodic[static_cast<std::size_t>(axis)]) coordinates += box.size()[axis];
+  }
+  return depth > 0x1p-51 * coordinates ? depth : 0;
+}
+
+std::int64_t DiskGrid::cells_along(const Level& level, int axis) const {
+  if (!box_.periodic[static_cast<std::size_t>(axis)]) return 0;
+  return std::max<std::int64_t>(1, to_cell(std::ldexp(box_.size()[axis], -level.exponent)));
+}
+
+std::array<std::int64_t, 2> DiskGrid::cell(const Level& level, const Vec2& position) const {
+  std::array<std::int64_t, 2> index{};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto k = static_cast<Eigen::Index>(axis);
+    const double from_lower = position[k] - box_.lower()[k];
+    const std::int64_t cells = cells_along(level, static_cast<int>(axis));
+    if (cells == 0) {
+      index[axis] = to_cell(std::ldexp(from_lower, -level.exponent));
+    } else {
+      // The cells of a periodic axis are a little wider, so that a whole number goes around.
+      const double size = box_.size()[k];
+      const double turn = from_lower / size;
+      index[axis] = wrapped(to_cell((turn - std::floor(turn)) * static_cast<double>(cells)), cells);
+    }
+  }
+  return index;
+}
+
+std::size_t DiskGrid::bucket(const Level& level, std::int64_t x, std::int64_t y) {
+  std::uint64_t h = static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15U +
+                    static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4FU;
+  h ^= h >> 32;
+  return static_cast<std::size_t>(h) & (level.buckets.size() - 1);
+}
+
+void DiskGrid::insert(const Vec2& position, double radius) {
+  const int exponent = std::ilogb(radius) + 2;  // radius < 2^(exponent - 1)
+  auto level = std::find_if(levels_.begin(), levels_.end(),
+                            [&](const Level& known) { return known.exponent == exponent; });
+  if (level == levels_.end()) {
+    levels_.push_back({exponent, 0, 0, std::vector<std::uint32_t>(64, kNone)});
+    level = levels_.end() - 1;
+  }
+  const auto number = static_cast<std::uint32_t>(disks_.size());
+  disks_.push_back({position, radius, kNone});
+  level->largest = std::max(level->largest, radius);
+  ++level->count;
+  if (level->count > level->buckets.size()) {
+    grow(*level);
+    return;
+  }
+  const auto [x, y] = cell(*level, position);
+  std::uint32_t& head = level->buckets[bucket(*level, x, y)];
+  disks_[number].next = head;
+  head = number;
+}
+
+void DiskGrid::grow(Level& level) {
+  level.buckets.assign(level.buckets.size() * 4, kNone);
+  for (std::size_t i = 0; i < disks_.size(); ++i) {
+    if (std::ilogb(disks_[i].radius) + 2 != level.exponent) continue;
+    const auto [x, y] = cell(level, disks_[i].position);
+    std::uint32_t& head = level.buckets[bucket(level, x, y)];
+    disks_[i].next = head;
+    head = static_cast<std::uint32_t>(i);
+  }
+}
+
+template <class Found>
+void DiskGrid::visit(const Vec2& position, double radius, Found found) const {
+  const auto overlaps = [&](std::uint32_t i) {
+    return overlap_depth(box_, position, radius, disks_[i].position, disks_[i].radius) > 0;
+  };
+  for (const Level& level : levels_) {
+    // As many cells to each side as the two disks can reach over.
+    const std::int64_t reach = 1 + to_cell(std::ldexp(radius + level.largest, -level.exponent));
+    if (reach > 1000 ||
+        static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 1)) > 4 * level.count + 9) {
+      for (std::uint32_t i = 0; i < disks_.size(); ++i) {
+        if (std::ilogb(disks_[i].radius) + 2 == level.exponent && overlaps(i) && found(i)) return;
+      }
+      continue;
+    }
+    const auto [cell_x, cell_y] = cell(level, position);
+    const std::int64_t around_x = cells_along(level, 0);
+    const std::int64_t around_y = cells_along(level, 1);
+    // Around a periodic axis no cell is visited twice.
+    const std::int64_t last_x =
+        around_x == 0 ? cell_x + reach : std::min(cell_x + reach, cell_x - reach + around_x - 1);
+    const std::int64_t last_y =
+        around_y == 0 ? cell_y + reach : std::min(cell_y + reach, cell_y - reach + around_y - 1);
+    for (std::int64_t y = cell_y - reach; y <= last_y; ++y) {
+      const std::int64_t at_y = around_y == 0 ? y : wrapped(y, around_y);
+      for (std::int64_t x = cell_x - reach; x <= last_x; ++x) {
+        const std::int64_t at_x = around_x == 0 ? x : wrapped(x, around_x);
+        for (std::uint32_t i = level.buckets[bucket(level, at_x, at_y)]; i != kNone;
+             i = disks_[i].next) {
+          if (overlaps(i) && found(i)) return;
+        }
+      }
+    }
+  }
+}
+
+std::vector<std::size_t> DiskGrid::overlapping(const Vec2& position, double radius,
+                                               std::size_t at_most) const {
+  std::vector<std::size_t> numbers;
+  visit(position, radius, [&](std::uint32_t i) {
+    numbers.push_back(i);
+    return numbers.size() >= at_most;
+  });
+  return numbers;
+}
+
+bool DiskGrid::is_free(const Vec2& position, double radius) const {
+  bool free = true;
+  visit(position, radius, [&](std::uint32_t) {
+    free = false;
+    return true;
+  });
+  return free;
+}
+
+}  // namespace carom::scene

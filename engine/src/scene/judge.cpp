@@ -1,0 +1,153 @@
+#include "scene/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scene/available.hpp"
+#include "scene/limits.hpp"
+
+namespace carom::scene {
+
+bool Verdict::finite(const std::string& place, double value) {
+  if (!std::isfinite(value)) {
+    add(place, fmt::format("must be a finite number, got {}", value));
+  } else if (std::abs(value) > kLargest) {
+    add(place, fmt::format("must be at most {0:g} in size, so that its powers stay finite, got {1}",
+                           kLargest, value));
+  } else {
+    return true;
+  }
+  return false;
+}
+
+bool Verdict::finite(const std::string& place, const Vec2& value) {
+  const bool x = finite(place + "/0", value.x());
+  return finite(place + "/1", value.y()) && x;
+}
+
+bool Verdict::positive(const std::string& place, double value) {
+  if (std::isfinite(value) && value <= 0) {
+    add(place, fmt::format("must be greater than 0, got {}", value));
+    return false;
+  }
+  if (std::isfinite(value) && value < kSmallest) {
+    add(place, fmt::format("must be at least {:g}, so that its powers do not vanish, got {}",
+                           kSmallest, value));
+    return false;
+  }
+  return finite(place, value);
+}
+
+bool Verdict::not_negative(const std::string& place, double value) {
+  if (std::isfinite(value) && value < 0) {
+    add(place, fmt::format("must be 0 or greater, got {}", value));
+    return false;
+  }
+  return finite(place, value);
+}
+
+bool Verdict::fraction(const std::string& place, double value) {
+  if (value >= 0 && value <= 1) return true;
+  if (!std::isfinite(value)) return finite(place, value);
+  add(place, fmt::format("must be from 0 to 1, got {}", value));
+  return false;
+}
+
+bool has_box(const Scene& scene) {
+  const auto good = [](double side) { return side >= kSmallest && side <= kLargest; };
+  return good(scene.box.width) && good(scene.box.height);
+}
+
+bool judge_effects(const Effects& effects, const std::string& place, Verdict& verdict) {
+  bool good = true;
+  if (effects.walls) {
+    good &= verdict.fraction(place + "/walls/restitution", effects.walls->restitution);
+  }
+  if (effects.collisions) {
+    good &= verdict.fraction(place + "/collisions/restitution", effects.collisions->restitution);
+  }
+  if (effects.gravity) good &= verdict.finite(place + "/gravity", effects.gravity->acceleration);
+  if (effects.drag) good &= verdict.not_negative(place + "/drag/rate", effects.drag->rate);
+  if (effects.friction) {
+    good &= verdict.not_negative(place + "/friction/balls", effects.friction->balls);
+    good &= verdict.not_negative(place + "/friction/walls", effects.friction->walls);
+  }
+  if (effects.attraction) {
+    good &= verdict.finite(place + "/attraction/strength", effects.attraction->strength);
+    good &= verdict.not_negative(place + "/attraction/softening", effects.attraction->softening);
+  }
+  return good;
+}
+
+namespace {
+
+void judge_solver(const SolverChoice& solver, Verdict& verdict) {
+  verdict.positive("/solver/step", solver.step);
+  const int digits = solver.digits;
+  if (digits != 16 && digits != 34 && digits != 50 && digits != 100) {
+    verdict.add("/solver/digits", fmt::format("must be 16, 34, 50 or 100, got {}", digits));
+  }
+}
+
+void judge_clock(const Scene& scene, Verdict& verdict) {
+  const bool duration = verdict.not_negative("/duration", scene.duration);
+  const bool rate = verdict.positive("/frame_rate", scene.frame_rate);
+  if (duration && rate && scene.duration * scene.frame_rate > kMostSteps) {
+    verdict.add("/duration",
+                fmt::format("is {:g} frames at this frame rate, at most {:g} can be counted",
+                            scene.duration * scene.frame_rate, kMostSteps));
+  }
+  if (duration && scene.solver.step >= kSmallest &&
+      scene.duration / scene.solver.step > kMostSteps) {
+    verdict.add("/duration",
+                fmt::format("takes {:g} steps of {:g}, at most {:g} can be counted",
+                            scene.duration / scene.solver.step, scene.solver.step, kMostSteps));
+  }
+}
+
+void judge_workers(const Scene& scene, Verdict& verdict) {
+  if (!scene.workers) return;
+  if (*scene.workers == 0) {
+    verdict.add("/workers", "must be \"per-ball\" or a whole number from 1 on, got 0");
+  } else if (*scene.workers > kMostWorkers) {
+    verdict.add("/workers",
+                fmt::format("must be at most {}, got {}", kMostWorkers, *scene.workers));
+  }
+}
+
+void judge_continuation(const Scene& scene, Verdict& verdict) {
+  if (!scene.continuation) return;
+  const Continuation& continuation = *scene.continuation;
+  verdict.not_negative("/continuation/time", continuation.time);
+  verdict.not_negative("/continuation/clock", continuation.clock);
+  verdict.not_negative("/continuation/step_origin", continuation.step_origin);
+  if (static_cast<double>(continuation.steps) > kMostSteps) {
+    verdict.add("/continuation/steps",
+                fmt::format("must be at most {:g}, got {}", kMostSteps, continuation.steps));
+  }
+  if (!scene.fills.empty()) {
+    verdict.add("/fill", "cannot stand beside \"continuation\": a saved scene lists all its balls");
+  }
+}
+
+}  // namespace
+
+std::vector<Problem> judge(const Scene& scene, const std::vector<std::size_t>& script_lines) {
+  Verdict verdict;
+  verdict.positive("/box/width", scene.box.width);
+  verdict.positive("/box/height", scene.box.height);
+  judge_effects(scene.effects, "/effects", verdict);
+  for (Problem& problem : find_unavailable(scene)) {
+    verdict.add(std::move(problem.place), std::move(problem.message));
+  }
+  judge_balls(scene, verdict);
+  judge_solver(scene.solver, verdict);
+  judge_workers(scene, verdict);
+  judge_clock(scene, verdict);
+  judge_script(scene, script_lines, verdict);
+  judge_continuation(scene, verdict);
+  return verdict.take();
+}
+
+}  // namespace carom::scene
