@@ -14,12 +14,14 @@ namespace carom {
 ///
 /// Holds: without `commit` nothing is left behind, not even where a signal ends the program.
 /// Threads: the control thread only.
-/// Errors: std::system_error that names the option and the file.
+/// Errors: std::system_error that names the file.
 class OutputFile {
  public:
-  /// An empty name is no file: `write` and `commit` do nothing.  `option` is named in errors.
-  OutputFile(const std::string& option, const std::string& name);
+  OutputFile() = default;                 ///< no file: `write` and `commit` do nothing
+  explicit OutputFile(std::string name);  ///< empty: no file
   ~OutputFile();
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile& operator=(OutputFile&&) = delete;
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
@@ -31,7 +33,7 @@ class OutputFile {
   void flush();
   [[noreturn]] void fail() const;
 
-  std::string name_;       // as the user knows it, for errors
+  std::string name_;       // as the user knows it
   std::string target_;     // the file to replace
   std::string temporary_;  // empty: written through
   int descriptor_ = -1;

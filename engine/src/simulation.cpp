@@ -1,56 +1,188 @@
 #include "carom/simulation.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "carom/crew.hpp"
+#include "carom/scene_file.hpp"
+#include "solvers/overlap.hpp"
+#include "state/domain.hpp"
 
 namespace carom {
+namespace {
+
+std::unique_ptr<Solver> make_solver(const Scene& scene, const std::vector<Ball>& balls) {
+  const auto refuse = [&scene](const char* place, const char* message) {
+    throw SceneError(scene.name.empty() ? "scene" : scene.name, {{place, message}});
+  };
+  if (scene.solver.method == Method::event) {
+    refuse("/solver/method", "event is not there yet; choose overlap");
+  }
+  if (scene.effects.drag) refuse("/effects/drag", "is not there yet; leave it out");
+  if (scene.effects.friction) refuse("/effects/friction", "is not there yet; leave it out");
+  if (scene.effects.attraction) refuse("/effects/attraction", "is not there yet; leave it out");
+  return std::make_unique<OverlapSolver>(scene, balls);
+}
+
+}  // namespace
 
 class Simulation::Implementation {
  public:
-  explicit Implementation(const Scene& scene)
-      : scene_(scene),
-        balls_(populate(scene)),
-        crew_(worker_count(scene, balls_.size()), phases()) {}
+  explicit Implementation(const Scene& scene) : Implementation(scene, populate(scene)) {}
 
-  std::vector<Phase> phases() {
-    return {{"wall_computation", [this](Share share) { fly(share); },
-             [this] { return --steps_left_ > 0 ? std::size_t{0} : Phase::kFrameDone; }}};
+  Implementation(const Scene& scene, std::vector<Ball> balls)
+      : scene_(scene),
+        solver_(make_solver(scene, balls)),
+        // Whoever starts with a thread for each ball keeps one for each ball.
+        per_ball_(!scene.workers &&
+                  worker_count(scene, balls.size()) == worker_target(balls.size())),
+        time_(scene.continuation ? scene.continuation->time : 0),
+        crew_(workers_for(balls.size()), solver_->phases()),
+        energy_initial_(solver_->energy()),
+        momentum_initial_(solver_->momentum()) {
+    scene_.balls.clear();
+    scene_.fills.clear();
+    scene_.script.clear();
+    solver_->set_workers(crew_.workers());
   }
 
   void advance_to(double time) {
-    const double due = (time / scene_.solver.step) * (1 + 0x1p-50);
-    const auto target = static_cast<std::uint64_t>(due);
-    steps_left_ = target - steps_;
-    time_ = time;
-    if (steps_left_ == 0) return;
-    steps_ = target;
-    crew_.do_frame();
+    const std::size_t first = solver_->aim(time);
+    if (first != Phase::kFrameDone) crew_.do_frame(first);
+    time_ = std::max(time_, time);
   }
 
-  void fly(Share share) {
-    const Vec2 lower = scene_.box.lower();
-    const Vec2 upper = scene_.box.upper();
-    for (std::size_t i = share.begin(balls_.size()); i < share.end(balls_.size()); ++i) {
-      Ball& ball = balls_[i];
-      ball.position += ball.velocity * scene_.solver.step;
-      for (int axis = 0; axis < 2; ++axis) {
-        const double low = lower[axis] + ball.radius;
-        const double high = upper[axis] - ball.radius;
-        if (ball.position[axis] < low || ball.position[axis] > high) {
-          ball.position[axis] = ball.position[axis] < low ? low : high;
-          ball.velocity[axis] = -ball.velocity[axis];
-        }
+  void obey(const command::Add& add) {
+    check_room(add.ball);
+    solver_->add(add.ball);
+    fit_crew();
+  }
+  void obey(const command::Remove& remove) {
+    const std::size_t n = solver_->balls();
+    if (n == 0) throw CommandError("there is no ball to remove");
+    const std::size_t ball = remove.ball.value_or(n - 1);
+    if (ball >= n) {
+      throw CommandError(fmt::format("there is no ball {} to remove: there are {}", ball, n));
+    }
+    solver_->remove(ball);
+    fit_crew();
+  }
+  void obey(const command::SetEffects& set) {
+    const auto named = [](bool wanted, bool there, const char* name) {
+      if (wanted && !there) {
+        throw CommandError(
+            fmt::format("{} cannot be set: the scene does not name it among its effects", name));
+      }
+    };
+    const Effects& there = scene_.effects;
+    named(set.effects.walls.has_value(), there.walls.has_value(), "walls");
+    named(set.effects.collisions.has_value(), there.collisions.has_value(), "collisions");
+    named(set.effects.gravity.has_value(), there.gravity.has_value(), "gravity");
+    named(set.effects.drag.has_value(), there.drag.has_value(), "drag");
+    named(set.effects.friction.has_value(), there.friction.has_value(), "friction");
+    named(set.effects.attraction.has_value(), there.attraction.has_value(), "attraction");
+    solver_->set(set.effects);
+  }
+  void obey(const command::SetStep& set) {
+    if (!(set.step > 0) || !std::isfinite(set.step)) {
+      throw CommandError(fmt::format("a step must be greater than 0, got {}", set.step));
+    }
+    solver_->set_step(set.step);
+    scene_.solver.step = set.step;
+  }
+  template <class Other>
+  void obey(const Other&) {
+    throw std::logic_error("a command of the frame clock was given to the simulation");
+  }
+
+  void apply(const Command& command) {
+    const double before = solver_->energy();
+    std::visit([this](const auto& c) { obey(c); }, command);
+    energy_input_ += solver_->energy() - before;
+  }
+
+  Measurements measure() const {
+    Measurements result;
+    solver_->count(result);
+    result.energy_initial = energy_initial_;
+    result.energy_final = solver_->energy();
+    result.energy_input = energy_input_;
+    result.momentum_initial = momentum_initial_;
+    result.momentum_final = solver_->momentum();
+    result.phases = crew_.seconds();
+    return result;
+  }
+
+  Scene save() const {
+    Scene scene = scene_;
+    scene.balls = solver_->state();
+    scene.continuation.emplace();
+    scene.continuation->time = time_;
+    scene.continuation->clock = time_;
+    solver_->save(scene);
+    return scene;
+  }
+
+  const Scene& scene() const { return scene_; }
+  const Solver& solver() const { return *solver_; }
+  double time() const { return time_; }
+  std::size_t workers() const { return crew_.workers(); }
+
+ private:
+  static std::size_t worker_target(std::size_t balls) { return std::max<std::size_t>(1, balls); }
+  std::size_t workers_for(std::size_t balls) const {
+    return per_ball_ ? worker_target(balls) : worker_count(scene_, balls);
+  }
+
+  void fit_crew() {
+    const std::size_t workers = workers_for(solver_->balls());
+    if (workers == crew_.workers()) return;
+    crew_.resize(workers);
+    solver_->set_workers(crew_.workers());
+  }
+
+  void check_room(const Ball& ball) const {
+    if (!(ball.radius > 0) || !(ball.mass > 0) || !std::isfinite(ball.radius) ||
+        !std::isfinite(ball.mass) || !ball.position.allFinite() || !ball.velocity.allFinite()) {
+      throw CommandError("a ball needs a position, a velocity, a radius and a mass above 0");
+    }
+    const Domain domain(scene_.box, scene_.effects.walls.has_value());
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const double x = ball.position[static_cast<Eigen::Index>(axis)];
+      const bool outside =
+          x < domain.lower[axis] + ball.radius || x > domain.upper[axis] - ball.radius;
+      if (domain.solid(axis) && outside) {
+        throw CommandError(fmt::format("a ball at ({}, {}) would stick out of the box",
+                                       ball.position.x(), ball.position.y()));
+      }
+    }
+    if (!scene_.effects.collisions) return;
+    const std::vector<Ball> balls = solver_->state();
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      Vec2 r = balls[i].position - ball.position;
+      for (Eigen::Index k = 0; k < 2; ++k) {
+        const double period = domain.period[static_cast<std::size_t>(k)];
+        if (period > 0) r[k] -= period * std::rint(r[k] / period);
+      }
+      const double reach = balls[i].radius + ball.radius;
+      if (r.squaredNorm() < reach * reach) {
+        throw CommandError(fmt::format("a ball at ({}, {}) would overlap ball {}",
+                                       ball.position.x(), ball.position.y(), i));
       }
     }
   }
 
-  Scene scene_;
-  std::vector<Ball> balls_;
-  std::uint64_t steps_ = 0;
-  std::uint64_t steps_left_ = 0;
-  double time_ = 0;
+  Scene scene_;  // without balls and script
+  std::unique_ptr<Solver> solver_;
+  bool per_ball_;
+  double time_;
   Crew crew_;
+  double energy_initial_;
+  Vec2 momentum_initial_;
+  double energy_input_ = 0;
 };
 
 Simulation::Simulation(const Scene& scene)
@@ -62,31 +194,33 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 void Simulation::advance_to(double time) {
   implementation_->advance_to(time);
 }
-void Simulation::apply(const Command&) {
-  throw std::logic_error("not yet");
+void Simulation::apply(const Command& command) {
+  implementation_->apply(command);
 }
 double Simulation::time() const {
-  return implementation_->time_;
+  return implementation_->time();
 }
 std::size_t Simulation::balls() const {
-  return implementation_->balls_.size();
+  return implementation_->solver().balls();
 }
 std::size_t Simulation::workers() const {
-  return implementation_->crew_.workers();
+  return implementation_->workers();
 }
 Method Simulation::method() const {
   return Method::overlap;
 }
 double Simulation::step() const {
-  return implementation_->scene_.solver.step;
+  return implementation_->scene().solver.step;
 }
 
 Frame Simulation::frame() const {
   Frame frame;
   frame.time = time();
-  frame.box = implementation_->scene_.box;
-  frame.walls = implementation_->scene_.effects.walls.has_value();
-  for (const Ball& ball : implementation_->balls_) {
+  frame.box = implementation_->scene().box;
+  frame.walls = implementation_->scene().effects.walls.has_value();
+  const std::vector<Ball> balls = state();
+  frame.balls.reserve(balls.size());
+  for (const Ball& ball : balls) {
     frame.balls.push_back(
         {ball.position, ball.radius, ball.velocity.norm(), ball.fixed, ball.glyph});
   }
@@ -94,16 +228,16 @@ Frame Simulation::frame() const {
 }
 
 Measurements Simulation::measure() const {
-  return {};
+  return implementation_->measure();
 }
 std::vector<Ball> Simulation::state() const {
-  return implementation_->balls_;
+  return implementation_->solver().state();
 }
 std::string Simulation::state_hash() const {
-  return "0";
+  return implementation_->solver().state_hash();
 }
 Scene Simulation::save() const {
-  return implementation_->scene_;
+  return implementation_->save();
 }
 
 }  // namespace carom

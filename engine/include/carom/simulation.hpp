@@ -1,6 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "carom/command.hpp"
 #include "carom/frame.hpp"
@@ -8,6 +11,12 @@
 #include "carom/scene.hpp"
 
 namespace carom {
+
+/// A command that cannot be obeyed; nothing has changed.  `what()` says why, in one line.
+class CommandError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// The state of a scene, one solver, only the effects asked for, and the crew of workers.
 ///
@@ -27,6 +36,7 @@ class Simulation {
 
   /// Adds or removes a ball, changes effects or the step; the commands of the frame clock (pause,
   /// resume, quit) are not for the simulation and are refused with std::logic_error.
+  /// Errors: CommandError where there is no room or no such ball or effect.
   void apply(const Command& command);
 
   [[nodiscard]] double time() const;  ///< simulated seconds: the last `advance_to`

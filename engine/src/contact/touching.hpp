@@ -1,0 +1,16 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "contact/pair_list.hpp"
+
+namespace carom {
+
+/// Appends the pairs number [begin, end) of a list that overlap, in the list's order: bounding
+/// boxes first, then the disks themselves.  Gives the deepest overlap among them as a fraction of
+/// the smaller radius.
+double find_touching(const PairList& pairs, std::size_t begin, std::size_t end, const Balls& balls,
+                     const std::array<double, 2>& periods, std::vector<Pair>& touching);
+
+}  // namespace carom

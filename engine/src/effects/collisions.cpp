@@ -1,0 +1,91 @@
+#include "effects/collisions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "effects/contact_group.hpp"
+#include "effects/pile.hpp"
+
+namespace carom::effects {
+namespace {
+
+// Passes over a group that has not come to an end yet; what is left over waits for the next step.
+constexpr int kImpactPasses = 16;
+constexpr int kSeparationPasses = 8;
+
+// Runs `act` over the contacts, forwards and backwards in turn, until it finds nothing to do; says
+// whether it came to that.
+template <class Act>
+bool sweep(const ContactGroup& group, int passes, Act act) {
+  for (int pass = 0; pass < passes; ++pass) {
+    bool any = false;
+    if (pass % 2 == 0) {
+      for (auto c = group.contacts.begin(); c != group.contacts.end(); ++c) any |= act(*c);
+    } else {
+      for (auto c = group.contacts.rbegin(); c != group.contacts.rend(); ++c) any |= act(*c);
+    }
+    if (!any) return true;
+  }
+  return false;
+}
+
+// Takes `work` out of the motion along the acceleration (puts it in where it is negative); where
+// there is not enough, the balls are moved less far.  `free` is work that need not be paid.
+void pay(ContactGroup& group, const Vec2& acceleration, double work, double free) {
+  const double due = work - free;
+  if (due == 0) return;
+  const double square = acceleration.squaredNorm();
+  double stock = 0;
+  for (const Member& member : group.members) {
+    const double along = member.velocity.dot(acceleration);
+    stock += member.mass * along * along / square / 2;
+  }
+  if (stock == 0 && due < 0) return;
+  const double kept = due < stock ? std::sqrt(1 - due / stock) : 0;
+  for (Member& member : group.members) {
+    member.velocity -= (1 - kept) * member.velocity.dot(acceleration) / square * acceleration;
+  }
+  if (due > stock) {
+    const double part = (free + stock) / work;
+    for (Member& member : group.members) {
+      member.position = member.start + part * (member.position - member.start);
+    }
+  }
+}
+
+}  // namespace
+
+void GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactCount& count) const {
+  thread_local ContactGroup group;
+  group.load(balls, pairs, domain_);
+  const bool falls = rule_.acceleration.x() != 0 || rule_.acceleration.y() != 0;
+  const double energy = falls ? group.kinetic_energy() : 0;
+  const bool calm = sweep(group, kImpactPasses, [&](const Contact& contact) {
+    return group.collide(contact, domain_, rule_, count);
+  });
+  const auto separate = [&](const Contact& contact) {
+    const double a = group.members[contact.a].inverse_mass / contact.inverse_masses;
+    return group.separate(contact, domain_, a, 1 - a);
+  };
+  if (!falls) {
+    sweep(group, kSeparationPasses, separate);
+    group.store(balls, domain_);
+    return;
+  }
+  const bool elastic = rule_.restitution == 1;
+  if (elastic || !group.bound(domain_)) {
+    sweep(group, kSeparationPasses, separate);
+  } else {
+    Pile pile(group, domain_, rule_.acceleration);
+    if (!calm) pile.stop(domain_, rule_, count);
+    if (!sweep(group, kSeparationPasses, separate)) pile.lift(domain_);
+  }
+  if (group.bound(domain_)) {
+    const double work = group.lifting_work(rule_.acceleration);
+    const double set_free = std::max(0.0, energy - group.kinetic_energy());
+    if (elastic || work > set_free) pay(group, rule_.acceleration, work, elastic ? 0 : set_free);
+  }
+  group.store(balls, domain_);
+}
+
+}  // namespace carom::effects

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "carom/effects.hpp"
+#include "contact/pair_list.hpp"
+#include "state/domain.hpp"
+
+namespace carom::effects {
+
+/// What the impacts of balls depend on beside the balls.
+struct CollisionRule {
+  double restitution = 1;
+  double wall_restitution = 1;
+  Vec2 acceleration{0, 0};
+  double rest_speed = 0;  ///< slower approaches come to rest: see effects/walls.hpp
+  std::array<double, 2> wall_rest_speed{0, 0};  ///< the same at the walls across each axis
+};
+
+/// How often balls met.
+struct ImpactCount {
+  std::uint64_t ball_ball = 0;
+  std::uint64_t ball_wall = 0;
+};
+
+/// Gives the balls of one group of touching pairs their new velocities and moves them apart.
+///
+/// The outcome depends on the group alone.  Every impulse keeps momentum and cannot raise the
+/// energy; balls are moved apart by inverse mass, and what that costs against gravity beyond what
+/// the impacts of the group have set free is taken from their motion along gravity.
+///
+/// Threads: groups of one step may be resolved at the same time: no ball is in two of them.
+class GroupResolver {
+ public:
+  GroupResolver(const Domain& domain, const CollisionRule& rule) : domain_(domain), rule_(rule) {}
+  GroupResolver(const GroupResolver&) = delete;
+  GroupResolver& operator=(const GroupResolver&) = delete;
+
+  void resolve(Balls& balls, std::span<const Pair> group, ImpactCount& count) const;
+
+ private:
+  const Domain& domain_;
+  const CollisionRule& rule_;
+};
+
+}  // namespace carom::effects

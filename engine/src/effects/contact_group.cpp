@@ -1,0 +1,164 @@
+#include "effects/contact_group.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::effects {
+namespace {
+
+bool at_side(const Member& member, const Domain& domain, std::size_t axis, double outwards) {
+  const double x = member.position[Balls::index(axis)];
+  return outwards < 0 ? x <= domain.lowest(axis, member.radius)
+                      : x >= domain.highest(axis, member.radius);
+}
+
+double inside(const Member& member, const Domain& domain, std::size_t axis) {
+  const double x = member.position[Balls::index(axis)];
+  if (!domain.solid(axis)) return x;
+  return std::clamp(x, domain.lowest(axis, member.radius), domain.highest(axis, member.radius));
+}
+
+void keep_inside(Member& member, const Domain& domain) {
+  if (member.inverse_mass == 0) return;
+  member.position = {inside(member, domain, 0), inside(member, domain, 1)};
+}
+
+}  // namespace
+
+void ContactGroup::load(const Balls& balls, std::span<const Pair> pairs, const Domain& domain) {
+  members.clear();
+  contacts.clear();
+  for (const Pair& pair : pairs) {
+    for (const std::uint32_t ball : {pair.first, pair.second}) {
+      const Eigen::Index k = Balls::index(ball);
+      Member member;
+      member.ball = ball;
+      member.position = member.start = balls.at(ball);
+      member.velocity = {balls.velocity[0][k], balls.velocity[1][k]};
+      member.radius = balls.radius[k];
+      member.mass = balls.mass[k];
+      member.inverse_mass = balls.inverse_mass[k];
+      members.push_back(member);
+    }
+  }
+  const auto before = [](const Member& m, const Member& n) { return m.ball < n.ball; };
+  if (pairs.size() > 1) {
+    std::sort(members.begin(), members.end(), before);
+    const auto same = [](const Member& m, const Member& n) { return m.ball == n.ball; };
+    members.erase(std::unique(members.begin(), members.end(), same), members.end());
+  }
+  const auto place = [this](std::uint32_t ball) {
+    const auto at = std::lower_bound(members.begin(), members.end(), ball,
+                                     [](const Member& m, std::uint32_t b) { return m.ball < b; });
+    return static_cast<std::uint32_t>(at - members.begin());
+  };
+  for (const Pair& pair : pairs) {
+    Contact contact;
+    contact.a = place(pair.first);
+    contact.b = place(pair.second);
+    const Member& a = members[contact.a];
+    const Member& b = members[contact.b];
+    contact.line = line_of_centres(apart(contact, domain), b.velocity - a.velocity);
+    contact.inverse_masses = a.inverse_mass + b.inverse_mass;
+    contact.reach = a.radius + b.radius;
+    contacts.push_back(contact);
+  }
+}
+
+void ContactGroup::store(Balls& balls, const Domain& domain) const {
+  for (const Member& member : members) {
+    if (member.inverse_mass == 0) continue;
+    const Eigen::Index k = Balls::index(member.ball);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const double x = inside(member, domain, axis);
+      balls.position[axis][k] = domain.period[axis] > 0 ? domain.wrapped(axis, x) : x;
+      balls.velocity[axis][k] = member.velocity[Balls::index(axis)];
+    }
+  }
+}
+
+Vec2 ContactGroup::apart(const Contact& contact, const Domain& domain) const {
+  Vec2 r = members[contact.b].position - members[contact.a].position;
+  if (domain.period[0] > 0) r.x() = nearest_image(r.x(), domain.period[0]);
+  if (domain.period[1] > 0) r.y() = nearest_image(r.y(), domain.period[1]);
+  return r;
+}
+
+double ContactGroup::kinetic_energy() const {
+  double sum = 0;
+  for (const Member& member : members) sum += member.mass * member.velocity.squaredNorm() / 2;
+  return sum;
+}
+
+double ContactGroup::lifting_work(const Vec2& acceleration) const {
+  double sum = 0;
+  for (const Member& member : members) {
+    sum -= member.mass * acceleration.dot(member.position - member.start);
+  }
+  return sum;
+}
+
+bool ContactGroup::bound(const Domain& domain) const {
+  return std::any_of(members.begin(), members.end(), [&](const Member& member) {
+    if (member.inverse_mass == 0) return true;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (!domain.solid(axis)) continue;
+      if (at_side(member, domain, axis, -1) || at_side(member, domain, axis, 1)) return true;
+    }
+    return false;
+  });
+}
+
+bool ContactGroup::collide(const Contact& contact, const Domain& domain, const CollisionRule& rule,
+                           ImpactCount& count) {
+  Member& a = members[contact.a];
+  Member& b = members[contact.b];
+  const LineOfCentres& line = contact.line;
+  const double closing = (b.velocity - a.velocity).dot(line.r);
+  if (!approaches(closing, line.square, a.velocity, b.velocity)) return false;
+  const bool bounces = -closing > rule.rest_speed * line.length;
+  const double j =
+      impulse(closing, line.square, contact.inverse_masses, bounces ? rule.restitution : 0);
+  a.velocity -= j * a.inverse_mass * line.r;
+  b.velocity += j * b.inverse_mass * line.r;
+  if (bounces) ++count.ball_ball;
+  rebound(a, domain, rule, count);
+  rebound(b, domain, rule, count);
+  return true;
+}
+
+bool ContactGroup::separate(const Contact& contact, const Domain& domain, double share_a,
+                            double share_b) {
+  constexpr double kClose = 0x1p-40;  // of the sum of the radii: as good as apart
+  const Vec2 r = apart(contact, domain);
+  const double square = r.squaredNorm();
+  const double close = contact.reach * (1 - kClose);
+  if (square >= close * close) return false;
+  Member& a = members[contact.a];
+  Member& b = members[contact.b];
+  const LineOfCentres line = line_of_centres(r, b.velocity - a.velocity);
+  const double depth = contact.reach - line.distance;
+  const Vec2 move = depth / line.length * line.r;
+  a.position -= share_a * move;
+  b.position += share_b * move;
+  keep_inside(a, domain);
+  keep_inside(b, domain);
+  return true;
+}
+
+void ContactGroup::rebound(Member& member, const Domain& domain, const CollisionRule& rule,
+                           ImpactCount& count) {
+  if (member.inverse_mass == 0) return;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (!domain.solid(axis)) continue;
+    double& v = member.velocity[Balls::index(axis)];
+    if (v == 0) continue;
+    const double outwards = v < 0 ? -1 : 1;
+    if (!at_side(member, domain, axis, outwards)) continue;
+    const bool bounces = std::abs(v) > rule.wall_rest_speed[axis];
+    v *= bounces ? -rule.wall_restitution : -0.0;
+    if (bounces) ++count.ball_wall;
+  }
+}
+
+}  // namespace carom::effects

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/impulse.hpp"
+#include "contact/pair_list.hpp"
+#include "effects/collisions.hpp"
+#include "state/domain.hpp"
+
+namespace carom::effects {
+
+/// One ball of a group, taken out of the columns.
+struct Member {
+  std::uint32_t ball = 0;
+  Vec2 position{0, 0};
+  Vec2 velocity{0, 0};
+  Vec2 start{0, 0};  ///< where it was before the group was resolved
+  double radius = 0;
+  double mass = 0;
+  double inverse_mass = 0;
+  bool supported = false;  ///< stands on a wall, a fixed ball or a supported ball
+};
+
+/// Two members that touch.
+struct Contact {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  LineOfCentres line;  ///< from a to b, as it was before the group was resolved
+  double inverse_masses = 0;
+  double reach = 0;
+};
+
+/// Balls that touch, worked on together: a copy that is loaded, changed and stored back.
+///
+/// Holds: members in the order of their balls, contacts in the order of their pairs.
+class ContactGroup {
+ public:
+  std::vector<Member> members;
+  std::vector<Contact> contacts;
+
+  void load(const Balls& balls, std::span<const Pair> pairs, const Domain& domain);
+  void store(Balls& balls, const Domain& domain) const;
+
+  /// From a to b as they are now.
+  [[nodiscard]] Vec2 apart(const Contact& contact, const Domain& domain) const;
+  [[nodiscard]] double kinetic_energy() const;
+  /// The work that the moves since loading have done against a uniform acceleration.
+  [[nodiscard]] double lifting_work(const Vec2& acceleration) const;
+  /// A fixed ball or a wall takes part: momentum need not be kept.
+  [[nodiscard]] bool bound(const Domain& domain) const;
+
+  /// An impact along the contact, if its balls approach; says whether there was one.
+  bool collide(const Contact& contact, const Domain& domain, const CollisionRule& rule,
+               ImpactCount& count);
+  /// Moves the two balls of a contact apart, in the given shares of their overlap; says whether
+  /// there was one.
+  bool separate(const Contact& contact, const Domain& domain, double share_a, double share_b);
+  /// Sends a ball that has been driven into the wall it stands at back.
+  static void rebound(Member& member, const Domain& domain, const CollisionRule& rule,
+                      ImpactCount& count);
+};
+
+}  // namespace carom::effects

@@ -1,0 +1,57 @@
+#include "effects/walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::effects {
+namespace {
+
+// The speed with which a ball that started at distance `distance` before the wall arrives there;
+// `pull` is the acceleration towards the wall.
+double arrival_speed(double velocity, double pull, double distance) {
+  if (pull == 0) return std::abs(velocity);
+  const double square = velocity * velocity + 2 * pull * distance;
+  return std::isfinite(square) ? std::sqrt(std::max(square, 0.0)) : std::abs(velocity);
+}
+
+}  // namespace
+
+double rest_speed(double acceleration, double step, double restitution) {
+  return restitution < 1 ? 2 * std::abs(acceleration) * step : 0;
+}
+
+std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule) {
+  std::uint64_t impacts = 0;
+  const auto reflect = [&](std::size_t k, double wall, double outwards) {
+    const double arrival = arrival_speed(flight.velocity[k], outwards * rule.acceleration,
+                                         outwards * (wall - flight.position[k]));
+    const bool bounces = arrival > rule.rest_speed;
+    flight.moved[k] = wall;
+    flight.after[k] = -outwards * (bounces ? rule.restitution * arrival : 0);
+    if (bounces) ++impacts;
+  };
+  for (std::size_t k = 0; k < flight.count; ++k) {
+    const double lowest = domain.lowest(flight.axis, flight.radius[k]);
+    const double highest = domain.highest(flight.axis, flight.radius[k]);
+    if (flight.inverse_mass[k] == 0) continue;
+    if (flight.moved[k] < lowest) reflect(k, lowest, -1);
+    if (flight.moved[k] > highest) reflect(k, highest, 1);
+  }
+  return impacts;
+}
+
+void wrap(Flight& flight, const Domain& domain, std::int64_t* turns) {
+  const double lower = domain.lower[flight.axis];
+  const double upper = domain.upper[flight.axis];
+  for (std::size_t k = 0; k < flight.count; ++k) {
+    const double x = flight.moved[k];
+    if (x >= lower && x <= upper) continue;
+    flight.moved[k] = std::isfinite(x) ? domain.wrapped(flight.axis, x) : flight.position[k];
+    if (turns != nullptr && std::isfinite(x)) {
+      turns[flight.begin + k] +=
+          static_cast<std::int64_t>(std::rint((x - flight.moved[k]) / domain.period[flight.axis]));
+    }
+  }
+}
+
+}  // namespace carom::effects

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "effects/flight.hpp"
+#include "state/domain.hpp"
+
+namespace carom::effects {
+
+/// What a wall needs to know to send a ball back along one axis.
+struct WallRule {
+  double restitution = 1;
+  double acceleration = 0;  ///< along the axis
+  double rest_speed = 0;    ///< a slower ball does not bounce: it comes to rest on the wall
+};
+
+/// Speeds up to this one come to rest where they meet an obstacle: what two steps of the
+/// acceleration make.  A hop that slow is over within two steps and cannot be told from rest. Where
+/// nothing is lost in an impact nothing comes to rest.
+double rest_speed(double acceleration, double step, double restitution);
+
+/// Puts balls that have left the box back on its wall and reflects them.
+///
+/// A ball meets the wall with the speed that its energy gives it there, v0^2 + 2 a (wall - x0), not
+/// with the speed it has gained behind it: moving it back does no work.  Gives the number of
+/// impacts.
+std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule);
+
+/// Takes balls that have left a periodic axis to the other end; `turns`, if there is one, counts.
+void wrap(Flight& flight, const Domain& domain, std::int64_t* turns);
+
+}  // namespace carom::effects

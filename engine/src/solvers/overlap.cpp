@@ -1,0 +1,306 @@
+#include "solvers/overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/skin.hpp"
+#include "contact/touching.hpp"
+#include "effects/gravity.hpp"
+#include "effects/walls.hpp"
+#include "solvers/stopwatch.hpp"
+
+namespace carom {
+namespace {
+
+constexpr std::size_t kManyBalls = 64;       // from here on a list of neighbours pays
+constexpr std::uint64_t kSampling = 31;      // one step in so many has its effects timed
+constexpr std::size_t kFewWorkers = 16;      // more do not share out short work: meeting costs more
+constexpr std::size_t kSharedSearch = 2048;  // balls
+constexpr std::size_t kSharedPairs = 256;    // touching pairs
+
+}  // namespace
+
+OverlapSolver::OverlapSolver(const Scene& scene, const std::vector<Ball>& balls, Pairs pairs)
+    : domain_(scene.box, scene.effects.walls.has_value()),
+      effects_(scene.effects),
+      balls_(balls),
+      choice_(pairs),
+      step_(scene.solver.step) {
+  if (scene.continuation) {
+    step_origin_ = scene.continuation->step_origin;
+    steps_ = scene.continuation->steps;
+  }
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (domain_.period[axis] == 0) continue;
+    for (double& x : balls_.position[axis]) x = domain_.wrapped(axis, x);
+  }
+  renew_rules();
+  set_workers(1);
+}
+
+std::vector<Phase> OverlapSolver::phases() {
+  std::vector<Phase> phases;
+  phases.push_back({effects_.walls ? "wall_computation" : "flight",
+                    [this](Share share) { fly(share); }, [this] { return after_flight(); }});
+  if (!effects_.collisions) return phases;
+  phases.push_back({"neighbour_search", [this](Share share) { search(share); },
+                    [] { return std::size_t{kDetect}; }});
+  phases.push_back({"pair_computation", [this](Share share) { detect(share); },
+                    [this] { return after_detection(); }});
+  phases.push_back(
+      {"pair_resolution", [this](Share share) { resolve(share); }, [this] { return end_step(); }});
+  return phases;
+}
+
+void OverlapSolver::set_workers(std::size_t workers) {
+  // What has been counted stays counted.
+  for (std::size_t k = workers; k < desks_.size(); ++k) {
+    Desk& heir = desks_.front();
+    const Desk& desk = desks_[k];
+    heir.impacts.ball_ball += desk.impacts.ball_ball;
+    heir.impacts.ball_wall += desk.impacts.ball_wall;
+    heir.deepest = std::max(heir.deepest, desk.deepest);
+    heir.gravity_seconds += desk.gravity_seconds;
+    heir.walls_seconds += desk.walls_seconds;
+    heir.collisions_seconds += desk.collisions_seconds;
+  }
+  desks_.resize(workers);
+  forget_pairs();
+}
+
+std::size_t OverlapSolver::aim(double time) {
+  // Rounding of times and of their quotient must not lose a step.
+  constexpr double kRounding = 0x1p-44;
+  const double due = (time - step_origin_ + std::abs(time) * kRounding) / step_;
+  target_ = due > 0 ? static_cast<std::uint64_t>(due) : 0;
+  if (target_ <= steps_) return Phase::kFrameDone;
+  if (effects_.collisions && !many() && all_pairs_.size() == 0) all_pairs_ = all_pairs(balls_);
+  return kFly;
+}
+
+// --- the phases -------------------------------------------------------------------------------
+
+void OverlapSolver::fly(Share share) {
+  Desk& desk = desks_[share.index];
+  desk.moved_square = 0;
+  const std::size_t end = share.end(balls_.size());
+  for (std::size_t i = share.begin(balls_.size()); i < end; i += Flight::kBlock) {
+    fly(i, std::min(i + Flight::kBlock, end), desk);
+  }
+}
+
+void OverlapSolver::fly(std::size_t begin, std::size_t end, Desk& desk) {
+  const bool timed = taken_ % kSampling == 0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const Eigen::Index k = Balls::index(axis);
+    const double acceleration = effects_.gravity ? effects_.gravity->acceleration[k] : 0;
+    Flight flight;
+    start(flight, balls_, axis, begin, end, step_);
+    if (acceleration != 0) {
+      const Stopwatch stopwatch(timed, desk.gravity_seconds);
+      effects::gravity(flight, acceleration);
+    }
+    land(flight);
+    if (domain_.solid(axis)) {
+      const Stopwatch stopwatch(timed, desk.walls_seconds);
+      desk.impacts.ball_wall += effects::walls(
+          flight, domain_, {rule_.wall_restitution, acceleration, rule_.wall_rest_speed[axis]});
+    } else if (domain_.period[axis] > 0) {
+      effects::wrap(flight, domain_, turns_[axis].empty() ? nullptr : turns_[axis].data());
+    }
+    store(flight, balls_);
+  }
+  if (!listed_) return;
+  const Stopwatch stopwatch(timed, desk.collisions_seconds);
+  double farthest = desk.moved_square;
+  const double* x = balls_.position[0].data();
+  const double* y = balls_.position[1].data();
+  const double* from_x = anchor_[0].data();
+  const double* from_y = anchor_[1].data();
+  for (std::size_t i = begin; i < end; ++i) {
+    const double dx = nearest_image(x[i] - from_x[i], domain_.period[0]);
+    const double dy = nearest_image(y[i] - from_y[i], domain_.period[1]);
+    const double square = dx * dx + dy * dy;
+    farthest = square > farthest ? square : farthest;
+  }
+  desk.moved_square = farthest;
+}
+
+std::size_t OverlapSolver::after_flight() {
+  if (!effects_.collisions) return end_step();
+  if (!many() || !list_is_stale()) return kDetect;
+  const Stopwatch stopwatch(taken_ % kSampling == 0, desks_.front().collisions_seconds);
+  build_grid();
+  if (balls_.size() >= kSharedSearch && desks_.size() > 1 && desks_.size() <= kFewWorkers) {
+    return kSearch;
+  }
+  for (std::size_t w = 0; w < desks_.size(); ++w) search({w, desks_.size()});
+  return kDetect;
+}
+
+void OverlapSolver::search(Share share) {
+  PairList& pairs = desks_[share.index].neighbours;
+  pairs.clear();
+  grid_.neighbours(balls_, domain_, share.begin(balls_.size()), share.end(balls_.size()), skin_,
+                   pairs);
+}
+
+void OverlapSolver::detect(Share share) {
+  Desk& desk = desks_[share.index];
+  const Stopwatch stopwatch(taken_ % kSampling == 0, desk.collisions_seconds);
+  desk.touching.clear();
+  const bool listed = many();
+  const PairList& pairs = listed ? desk.neighbours : all_pairs_;
+  const std::size_t begin = listed ? 0 : share.begin(pairs.size());
+  const std::size_t end = listed ? pairs.size() : share.end(pairs.size());
+  const double deepest = find_touching(pairs, begin, end, balls_, domain_.period, desk.touching);
+  desk.deepest = std::max(desk.deepest, deepest);
+}
+
+std::size_t OverlapSolver::after_detection() {
+  const Stopwatch stopwatch(taken_ % kSampling == 0, desks_.front().collisions_seconds);
+  touching_.clear();
+  for (const Desk& desk : desks_) {
+    touching_.insert(touching_.end(), desk.touching.begin(), desk.touching.end());
+  }
+  if (touching_.empty()) return end_step();
+  groups_.sort(touching_, balls_.size());
+  const bool share_out = groups_.pairs() >= kSharedPairs && desks_.size() > 1 &&
+                         desks_.size() <= kFewWorkers && groups_.largest() * 2 < groups_.pairs();
+  if (share_out) return kResolve;
+  for (std::size_t g = 0; g < groups_.count(); ++g) {
+    resolver_.resolve(balls_, groups_.group(g), desks_.front().impacts);
+  }
+  return end_step();
+}
+
+void OverlapSolver::resolve(Share share) {
+  Desk& desk = desks_[share.index];
+  const Stopwatch stopwatch(taken_ % kSampling == 0, desk.collisions_seconds);
+  for (std::size_t g = share.begin(groups_.count()); g < share.end(groups_.count()); ++g) {
+    resolver_.resolve(balls_, groups_.group(g), desk.impacts);
+  }
+}
+
+std::size_t OverlapSolver::end_step() {
+  ++taken_;
+  return ++steps_ < target_ ? std::size_t{kFly} : Phase::kFrameDone;
+}
+
+// --- pairs ------------------------------------------------------------------------------------
+
+bool OverlapSolver::many() const {
+  return choice_ == Pairs::neighbours ||
+         (choice_ == Pairs::automatic && balls_.size() >= kManyBalls);
+}
+
+bool OverlapSolver::list_is_stale() const {
+  if (!listed_) return true;
+  // Two balls that were farther apart than reach and skin, and have each moved less than half the
+  // skin, do not touch.  The rest of the half is for rounding.
+  const double allowed = 0.49 * skin_;
+  return std::any_of(desks_.begin(), desks_.end(), [allowed](const Desk& desk) {
+    return !(desk.moved_square < allowed * allowed);
+  });
+}
+
+void OverlapSolver::build_grid() {
+  const Skin skin = choose_skin(balls_, domain_, step_);
+  skin_ = skin.thickness;
+  grid_.sort(balls_, domain_, skin.reach);
+  anchor_ = balls_.position;
+  listed_ = true;
+}
+
+void OverlapSolver::forget_pairs() {
+  listed_ = false;
+  all_pairs_.clear();
+}
+
+// --- commands ---------------------------------------------------------------------------------
+
+void OverlapSolver::add(const Ball& ball) {
+  std::vector<Ball> balls = balls_.to_vector();
+  balls.push_back(ball);
+  balls_ = Balls(balls);
+  for (auto& turns : turns_) {
+    if (!turns.empty()) turns.push_back(0);
+  }
+  renew_rules();
+  forget_pairs();
+}
+
+void OverlapSolver::remove(std::size_t ball) {
+  std::vector<Ball> balls = balls_.to_vector();
+  balls.erase(balls.begin() + static_cast<std::ptrdiff_t>(ball));
+  balls_ = Balls(balls);
+  for (auto& turns : turns_) {
+    if (!turns.empty()) turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(ball));
+  }
+  forget_pairs();
+}
+
+void OverlapSolver::set(const Effects& effects) {
+  if (effects.walls) effects_.walls = effects.walls;
+  if (effects.collisions) effects_.collisions = effects.collisions;
+  if (effects.gravity) effects_.gravity = effects.gravity;
+  renew_rules();
+}
+
+void OverlapSolver::set_step(double step) {
+  step_origin_ += static_cast<double>(steps_) * step_;
+  steps_ = 0;
+  step_ = step;
+  renew_rules();
+}
+
+void OverlapSolver::renew_rules() {
+  const Vec2 acceleration = effects_.gravity ? effects_.gravity->acceleration : Vec2{0, 0};
+  rule_.acceleration = acceleration;
+  if (effects_.collisions) {
+    rule_.restitution = effects_.collisions->restitution;
+    rule_.rest_speed = effects::rest_speed(acceleration.norm(), step_, rule_.restitution);
+  }
+  if (effects_.walls) rule_.wall_restitution = effects_.walls->restitution;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double along = acceleration[Balls::index(axis)];
+    rule_.wall_rest_speed[axis] = effects::rest_speed(along, step_, rule_.wall_restitution);
+    if (along != 0 && domain_.period[axis] > 0) turns_[axis].resize(balls_.size(), 0);
+  }
+}
+
+// --- looking ----------------------------------------------------------------------------------
+
+double OverlapSolver::energy() const {
+  const Vec2 periods{domain_.period[0], domain_.period[1]};
+  return kinetic_energy(balls_) + potential_energy(balls_, rule_.acceleration, periods, turns_);
+}
+
+void OverlapSolver::count(Measurements& measurements) const {
+  double gravity = 0;
+  double walls = 0;
+  double collisions = 0;
+  for (const Desk& desk : desks_) {
+    measurements.ball_ball += desk.impacts.ball_ball;
+    measurements.ball_wall += desk.impacts.ball_wall;
+    measurements.max_overlap = std::max(measurements.max_overlap, desk.deepest);
+    gravity += desk.gravity_seconds;
+    walls += desk.walls_seconds;
+    collisions += desk.collisions_seconds;
+  }
+  const std::uint64_t sampled = (taken_ + kSampling - 1) / kSampling;
+  const double scale =
+      sampled == 0 ? 0 : static_cast<double>(taken_) / static_cast<double>(sampled);
+  if (effects_.walls) measurements.effects.emplace_back("walls", walls * scale);
+  if (effects_.collisions) measurements.effects.emplace_back("collisions", collisions * scale);
+  if (effects_.gravity) measurements.effects.emplace_back("gravity", gravity * scale);
+}
+
+void OverlapSolver::save(Scene& scene) const {
+  scene.effects = effects_;
+  scene.solver.step = step_;
+  scene.continuation->step_origin = step_origin_;
+  scene.continuation->steps = steps_;
+}
+
+}  // namespace carom

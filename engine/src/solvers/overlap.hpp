@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "contact/cell_grid.hpp"
+#include "contact/groups.hpp"
+#include "contact/pair_list.hpp"
+#include "effects/collisions.hpp"
+#include "effects/flight.hpp"
+#include "solvers/solver.hpp"
+#include "state/balls.hpp"
+#include "state/domain.hpp"
+#include "state/totals.hpp"
+
+namespace carom {
+
+/// Method `overlap`: whole steps, numbered from the start.
+///
+/// In each step every ball flies freely and is sent back by the walls; then balls that overlap are
+/// given their new velocities and moved apart.  First order in the step.
+///
+///     wall_computation    each worker: its balls               reads and writes its balls
+///     neighbour_search    each worker: the neighbours of its balls, where the list has aged
+///     pair_computation    each worker: its pairs               reads all balls, writes its hits
+///     pair_resolution     each worker: some groups of touching balls, writes those
+///
+/// Without collisions only the first is there; without walls it is called `flight`.  Work that is
+/// too little to share is done between two phases by the worker that arrives last.
+///
+/// Holds: no memory from step to step beside the balls: lists of pairs never change the result.
+class OverlapSolver final : public Solver {
+ public:
+  /// Which pairs are looked at; every choice gives the same result.
+  enum class Pairs { automatic, all, neighbours };
+
+  explicit OverlapSolver(const Scene& scene, const std::vector<Ball>& balls,
+                         Pairs pairs = Pairs::automatic);
+
+  [[nodiscard]] std::vector<Phase> phases() override;
+  void set_workers(std::size_t workers) override;
+  [[nodiscard]] std::size_t aim(double time) override;
+  void add(const Ball& ball) override;
+  void remove(std::size_t ball) override;
+  void set(const Effects& effects) override;
+  void set_step(double step) override;
+  [[nodiscard]] std::size_t balls() const override { return balls_.size(); }
+  [[nodiscard]] std::vector<Ball> state() const override { return balls_.to_vector(); }
+  [[nodiscard]] std::string state_hash() const override { return carom::state_hash(balls_); }
+  [[nodiscard]] double energy() const override;
+  [[nodiscard]] Vec2 momentum() const override { return carom::momentum(balls_); }
+  void count(Measurements& measurements) const override;
+  void save(Scene& scene) const override;
+
+ private:
+  // What one worker writes, apart from what others write.
+  struct alignas(128) Desk {
+    PairList neighbours;
+    std::vector<Pair> touching;
+    effects::ImpactCount impacts;
+    double deepest = 0;
+    double moved_square = 0;  // of the ball that has moved farthest since the list was built
+    double gravity_seconds = 0;
+    double walls_seconds = 0;
+    double collisions_seconds = 0;
+  };
+  enum PhaseNumber : std::size_t { kFly, kSearch, kDetect, kResolve };
+
+  void fly(Share share);
+  void fly(std::size_t begin, std::size_t end, Desk& desk);
+  void search(Share share);
+  void detect(Share share);
+  void resolve(Share share);
+  [[nodiscard]] std::size_t after_flight();
+  [[nodiscard]] std::size_t after_detection();
+  [[nodiscard]] std::size_t end_step();
+
+  void renew_rules();
+  void forget_pairs();
+  [[nodiscard]] bool many() const;
+  [[nodiscard]] bool list_is_stale() const;
+  void build_grid();
+
+  Domain domain_;
+  Effects effects_;
+  Balls balls_;
+  Pairs choice_;
+  double step_;
+  double step_origin_ = 0;
+  std::uint64_t steps_ = 0;   // since step_origin_
+  std::uint64_t target_ = 0;  // the step to stop at
+  std::uint64_t taken_ = 0;   // since this solver was made
+  Turns turns_;
+
+  effects::CollisionRule rule_;
+  effects::GroupResolver resolver_{domain_, rule_};
+  PairList all_pairs_;
+  CellGrid grid_;
+  std::array<Balls::Column, 2> anchor_;  // where the balls were when the list was built
+  double skin_ = 0;
+  bool listed_ = false;
+  std::vector<Pair> touching_;
+  Groups groups_;
+  std::vector<Desk> desks_;
+};
+
+}  // namespace carom

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "carom/crew.hpp"
+#include "carom/measurements.hpp"
+#include "carom/scene.hpp"
+
+namespace carom {
+
+/// A method of moving a scene on in time.
+///
+/// Threads: the control thread calls everything, while no phase runs; the phases run on the crew.
+class Solver {
+ public:
+  Solver() = default;
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+  virtual ~Solver() = default;
+
+  /// What the workers do, in order; called once, before the first frame.
+  [[nodiscard]] virtual std::vector<Phase> phases() = 0;
+  /// How many workers there are; called before the first frame and whenever that changes.
+  virtual void set_workers(std::size_t workers) = 0;
+  /// Prepares to move on to `time`: gives the phase to start with, kFrameDone if nothing is due.
+  [[nodiscard]] virtual std::size_t aim(double time) = 0;
+
+  virtual void add(const Ball& ball) = 0;
+  virtual void remove(std::size_t ball) = 0;
+  /// New values for the effects that are named; the others stay.
+  virtual void set(const Effects& effects) = 0;
+  virtual void set_step(double step) = 0;
+
+  [[nodiscard]] virtual std::size_t balls() const = 0;
+  [[nodiscard]] virtual std::vector<Ball> state() const = 0;
+  [[nodiscard]] virtual std::string state_hash() const = 0;
+  /// Kinetic and potential.
+  [[nodiscard]] virtual double energy() const = 0;
+  [[nodiscard]] virtual Vec2 momentum() const = 0;
+  /// Adds what the solver has counted: impacts, deepest overlap, seconds of the effects.
+  virtual void count(Measurements& measurements) const = 0;
+  /// Writes into the scene what it takes to go on bit for bit.
+  virtual void save(Scene& scene) const = 0;
+};
+
+}  // namespace carom

@@ -1,0 +1,47 @@
+#include "state/balls.hpp"
+
+namespace carom {
+
+Balls::Balls(const std::vector<Ball>& balls) {
+  const Eigen::Index n = index(balls.size());
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    position[axis].resize(n);
+    velocity[axis].resize(n);
+  }
+  radius.resize(n);
+  mass.resize(n);
+  inverse_mass.resize(n);
+  glyph.reserve(balls.size());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Ball& ball = balls[static_cast<std::size_t>(i)];
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      position[axis][i] = ball.position[index(axis)];
+      velocity[axis][i] = ball.fixed ? 0 : ball.velocity[index(axis)];
+    }
+    radius[i] = ball.radius;
+    mass[i] = ball.mass;
+    inverse_mass[i] = ball.fixed ? 0 : 1 / ball.mass;
+    glyph.push_back(ball.glyph);
+  }
+}
+
+Ball Balls::ball(std::size_t i) const {
+  const Eigen::Index k = index(i);
+  Ball ball;
+  ball.position = {position[0][k], position[1][k]};
+  ball.velocity = {velocity[0][k], velocity[1][k]};
+  ball.radius = radius[k];
+  ball.mass = mass[k];
+  ball.fixed = fixed(i);
+  ball.glyph = glyph[i];
+  return ball;
+}
+
+std::vector<Ball> Balls::to_vector() const {
+  std::vector<Ball> balls;
+  balls.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i) balls.push_back(ball(i));
+  return balls;
+}
+
+}  // namespace carom

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "carom/ball.hpp"
+
+namespace carom {
+
+/// The balls of a running scene, one array for each property.
+///
+/// Holds: columns of one length, in the order of the scene's balls, its fills and later additions;
+/// a fixed ball has inverse mass 0 and velocity 0.  There is no column for a property that no
+/// effect needs.
+struct Balls {
+  using Column = Eigen::ArrayXd;
+
+  std::array<Column, 2> position;  ///< x and y
+  std::array<Column, 2> velocity;
+  Column radius;
+  Column mass;
+  Column inverse_mass;
+  std::vector<char> glyph;
+
+  explicit Balls(const std::vector<Ball>& balls = {});
+
+  [[nodiscard]] std::size_t size() const { return glyph.size(); }
+  [[nodiscard]] bool fixed(std::size_t i) const { return inverse_mass[index(i)] == 0; }
+  [[nodiscard]] Vec2 at(std::size_t i) const {
+    return {position[0][index(i)], position[1][index(i)]};
+  }
+  [[nodiscard]] Ball ball(std::size_t i) const;
+  [[nodiscard]] std::vector<Ball> to_vector() const;
+
+  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+};
+
+}  // namespace carom

@@ -1,0 +1,69 @@
+#include "state/totals.hpp"
+
+#include <bit>
+
+namespace carom {
+
+double kinetic_energy(const Balls& balls) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < balls.radius.size(); ++i) {
+    const double vx = balls.velocity[0][i];
+    const double vy = balls.velocity[1][i];
+    sum += balls.mass[i] * (vx * vx + vy * vy) / 2;
+  }
+  return sum;
+}
+
+double potential_energy(const Balls& balls, const Vec2& gravity, const Vec2& periods,
+                        const Turns& turns) {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto k = static_cast<Eigen::Index>(axis);
+    if (gravity[k] == 0) continue;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      if (balls.fixed(i)) continue;
+      double x = balls.at(i)[k];
+      if (!turns[axis].empty()) x += static_cast<double>(turns[axis][i]) * periods[k];
+      sum -= balls.mass[Balls::index(i)] * gravity[k] * x;
+    }
+  }
+  return sum;
+}
+
+Vec2 momentum(const Balls& balls) {
+  Vec2 sum{0, 0};
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const Eigen::Index k = Balls::index(i);
+    sum += balls.mass[k] * Vec2{balls.velocity[0][k], balls.velocity[1][k]};
+  }
+  return sum;
+}
+
+namespace {
+
+// Each 64-bit word is mixed whole (splitmix64's finaliser: Steele, Lea, Flood 2014), so that a
+// difference of one bit anywhere changes the digest.
+std::uint64_t mixed(std::uint64_t digest, double value) {
+  digest = (digest ^ std::bit_cast<std::uint64_t>(value)) + 0x9e3779b97f4a7c15U;
+  digest = (digest ^ (digest >> 30U)) * 0xbf58476d1ce4e5b9U;
+  digest = (digest ^ (digest >> 27U)) * 0x94d049bb133111ebU;
+  return digest ^ (digest >> 31U);
+}
+
+}  // namespace
+
+std::string state_hash(const Balls& balls) {
+  std::uint64_t digest = balls.size();
+  for (Eigen::Index i = 0; i < balls.radius.size(); ++i) {
+    for (const auto* columns : {&balls.position, &balls.velocity}) {
+      for (const Balls::Column& column : *columns) digest = mixed(digest, column[i]);
+    }
+  }
+  std::string text(16, '0');
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    text[text.size() - 1 - k] = "0123456789abcdef"[(digest >> (4 * k)) & 15U];
+  }
+  return text;
+}
+
+}  // namespace carom
