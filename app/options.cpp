@@ -35,7 +35,7 @@ constexpr std::array kCommands{
     CommandRow{"run", Options::Command::run, 1, 1, "SCENE",
                "simulate without a terminal; write frames, report, final state"},
     CommandRow{"check", Options::Command::check, 1, kManyScenes, "SCENE...",
-               "say what a scene simulates and what not, or all that is wrong with it"},
+               "say what a scene simulates and what not, or what is wrong with it"},
 };
 
 /// Named by the documents, and still to come.

@@ -1,0 +1,62 @@
+// What stands at the top of the tree, and that the tools of the house find nothing to say.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "support/process.hpp"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kTop = CAROM_SOURCE_DIR;
+
+std::vector<std::string> files_below(const std::string& folder,
+                                     const std::set<std::string>& extensions) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(kTop / folder)) {
+    if (extensions.contains(entry.path().extension())) files.push_back(entry.path());
+  }
+  return files;
+}
+
+support::Outcome run_tool(const std::string& command, const std::vector<std::string>& files) {
+  std::vector<std::string> words{"/bin/sh", "-c", "exec " + command + " \"$@\"", "sh"};
+  words.insert(words.end(), files.begin(), files.end());
+  return support::run(words, {kTop, ""});
+}
+
+TEST(Tree, TheTopHoldsNothingBesidesWhatBelongsThere) {
+  const std::set<std::string> belongs{
+      "CMakeLists.txt", "app", "engine", "tests", "scenes", "man", "README.md", "LICENSE",
+      ".gitignore", "CHANGELOG.md", ".ci", ".clang-tidy", "CMakePresets.json", ".clang-format",
+      // A checkout's own: the history, and what .gitignore leaves out.
+      ".git", "build"};
+  for (const std::string& name : support::names_in(kTop)) {
+    EXPECT_TRUE(belongs.contains(name)) << name;
+  }
+}
+
+TEST(Tree, ClangFormatHasNothingToChange) {
+  std::vector<std::string> files;
+  for (const char* folder : {"engine", "app", "tests"}) {
+    const auto more = files_below(folder, {".cpp", ".hpp"});
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  ASSERT_GT(files.size(), 40U);
+  const auto outcome = run_tool("clang-format-14 --dry-run --Werror", files);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+TEST(Tree, MandocFindsNothingToSayAboutThePages) {
+  const auto pages = files_below("man", {".1", ".5", ".7"});
+  ASSERT_FALSE(pages.empty());
+  const auto outcome = run_tool("mandoc -T lint", pages);
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  EXPECT_EQ(outcome.status, 0);
+}
+
+}  // namespace
+}  // namespace carom
