@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -10,24 +11,33 @@ namespace carom {
 /// A reusable meeting point of any number of threads.
 ///
 /// A phase ends when every party has arrived; the last to arrive runs the completion, then all go
-/// on. Everything a party did before arriving happens before the completion, and the completion
-/// happens before everything any party does after leaving the phase (release on arrival, acquire on
-/// leaving).
+/// on.  A thread that waits spins while the parties do not outnumber the cores, then yields a few
+/// times, then sleeps.
 ///
 /// Threads: every member may be called by any thread; a thread that waits is one party.
+/// Memory order: what a party did before it arrived (or left) happens before the completion of that
+/// phase, and the completion happens before everything a party does after the phase.  Completions
+/// never overlap.  What happened before cancel() happens before anything done by a thread that
+/// learns of it.
+/// Holds: 0 <= arrived < parties whenever nobody is inside a member function.
+/// Errors: what the completion throws cancels the barrier and is rethrown to the thread that ran
+/// it. REQUIRES: destroyed only when no thread is inside a member function.
 class Barrier {
  public:
+  static constexpr std::size_t kMostParties = (std::size_t{1} << 20) - 1;
+
   explicit Barrier(std::size_t parties, std::function<void()> completion = {});
   ~Barrier();
   Barrier(const Barrier&) = delete;
   Barrier& operator=(const Barrier&) = delete;
 
-  /// Arrives and waits for the others; false once the barrier is cancelled.
+  /// Arrives and waits for the others.  True where the phase ended; false where the barrier was
+  /// cancelled before: a party that is slow to wake up from a phase that ended is told so.
   [[nodiscard]] bool arrive_and_wait();
-  /// One party more, from the present phase on.  REQUIRES: the present phase cannot end meanwhile
-  /// (the caller is a party that has not arrived), or nobody waits.
+  /// One party more: the phase that is open now does not end before it has arrived.
   void join();
-  /// One party fewer; counts as the arrival of the party that leaves.
+  /// One party fewer; counts as the arrival of the party that leaves, and ends the phase (running
+  /// the completion here) if all others have arrived.  REQUIRES: that party is not waiting.
   void leave();
   /// Releases everybody, now and for good.
   void cancel();
@@ -36,13 +46,22 @@ class Barrier {
   [[nodiscard]] bool cancelled() const;
 
  private:
-  void end_phase();
+  /// Where the parties of every other phase wait: those still on their way out of one phase and
+  /// those already waiting in the next are never mixed up.
+  struct alignas(64) Gate {
+    std::atomic<std::uint32_t>
+        word;  ///< twice the number of the phase last let out + 1, + cancelled
+    std::atomic<std::uint32_t> sleepers{0};
+  };
+
+  [[nodiscard]] bool wait(Gate& gate, std::uint32_t phase, std::size_t parties);
+  [[nodiscard]] bool end_phase(std::uint32_t phase);
 
   std::function<void()> completion_;
-  std::atomic<std::size_t> parties_;
-  std::atomic<std::size_t> arrived_{0};
-  std::atomic<std::uint32_t> phase_{0};
-  std::atomic<bool> cancelled_{false};
+  /// Phase, parties and arrived in one word, so that arriving, joining and leaving are each one
+  /// indivisible step.
+  alignas(64) std::atomic<std::uint64_t> state_;
+  std::array<Gate, 2> gates_;
 };
 
 }  // namespace carom

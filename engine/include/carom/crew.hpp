@@ -38,17 +38,30 @@ class CrewError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A barrier of a crew, by its name.
+struct BarrierStatus {
+  std::string name;
+  std::size_t parties = 0;
+};
+
 /// Worker threads that compute frames together, phase by phase.  Knows no physics.
+///
+///     control   do_frame ................................................ frame_done
+///     worker 0  do_frame [phase 0] wall_computation [phase 1] ... [phase n] frame_done
+///     worker 1  do_frame [phase 0] wall_computation [phase 1] ... [phase n] frame_done
 ///
 /// The control thread and the workers meet at `do_frame`, where a frame is ordered, and at
 /// `frame_done`, before which nothing of it may be looked at.  In between, the workers alone meet
-/// at the barrier of each phase.
+/// at the barrier of each phase, where the last to arrive runs the phase's `finish`.
 ///
 /// Threads: the members are for the control thread; the phases run on the workers.
-/// Errors: CrewError where threads cannot be started; what a worker throws is rethrown by
-/// `do_frame`, after which the crew can only be destroyed.
+/// Holds: between frames every worker waits at `do_frame`.
+/// Errors: CrewError where threads cannot be started.  What a worker throws is rethrown by
+/// `do_frame` once all workers have ended; of several, the one of the lowest worker.  After that
+/// the crew has no workers, and do_frame() throws the same again.
 class Crew {
  public:
+  /// At least one worker is started.
   Crew(std::size_t workers, std::vector<Phase> phases);
   ~Crew();
   Crew(const Crew&) = delete;
@@ -56,10 +69,13 @@ class Crew {
 
   /// Orders one frame, starting with phase number `first`, and waits until it is done.
   void do_frame(std::size_t first = 0);
-  /// Starts or ends workers, between frames.
+  /// Starts or ends workers, between frames: the difference only, and never the last one.  Where
+  /// the threads cannot be had the crew stays as it was.
   void resize(std::size_t workers);
 
   [[nodiscard]] std::size_t workers() const;
+  /// do_frame, the barrier of each phase, frame_done.
+  [[nodiscard]] std::vector<BarrierStatus> barriers() const;
   /// Wall-clock seconds spent in each phase so far, in the order of the phases.
   [[nodiscard]] Seconds seconds() const;
 

@@ -1,53 +1,198 @@
 #include "carom/barrier.hpp"
 
+#include <sched.h>
+
+#include <cassert>
+#include <stdexcept>
+#include <thread>
 #include <utility>
 
+#include "crew/sleep.hpp"
+
 namespace carom {
+namespace {
+
+// How long to wait awake.  A pause is some 40 ns, so the spin is a few microseconds, about the
+// price of sleeping and being woken.  With more parties than cores a spin only keeps the core from
+// those who are still to arrive; a yield lets each of them run once, and after two of them the
+// phase is over unless its work is uneven, when to sleep is right.
+constexpr int kSpins = 100;
+constexpr int kYields = 2;
+// A thread that wakes up wakes the next few: the last to arrive does not pay for all, and a
+// sleeper's data are fetched once, by the core on which it is about to run.
+constexpr int kWakes = 4;
+
+constexpr std::uint32_t kCancelled = 1;
+constexpr std::uint32_t kNextOfGate = 4;  // two phases on, in the upper 31 bits
+
+constexpr unsigned kCountBits = 20;
+constexpr std::uint64_t kCount = Barrier::kMostParties;
+constexpr std::uint64_t kOneArrived = 1;
+constexpr std::uint64_t kOneParty = std::uint64_t{1} << kCountBits;
+constexpr std::uint64_t kOnePhase = std::uint64_t{1} << (2 * kCountBits);
+constexpr std::uint32_t kPhase = (1U << (64 - 2 * kCountBits)) - 1;
+
+std::uint64_t arrived_of(std::uint64_t state) {
+  return state & kCount;
+}
+std::uint64_t parties_of(std::uint64_t state) {
+  return (state >> kCountBits) & kCount;
+}
+std::uint32_t phase_of(std::uint64_t state) {
+  return static_cast<std::uint32_t>(state >> (2 * kCountBits));
+}
+/// The state in which the next phase begins.
+std::uint64_t next_phase(std::uint64_t state) {
+  return (state & ~kCount) + kOnePhase;
+}
+
+/// Has this gate let out the parties of `phase`?  No party can fall two phases behind, so that the
+/// numbers may wrap around.
+bool is_over(std::uint32_t word, std::uint32_t phase) {
+  return ((word >> 1) & kPhase) == ((phase + 1) & kPhase);
+}
+
+std::size_t cores() {
+  static const std::size_t count = [] {
+    cpu_set_t allowed;
+    CPU_ZERO(&allowed);
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
+      return static_cast<std::size_t>(CPU_COUNT(&allowed));
+    }
+    return static_cast<std::size_t>(std::thread::hardware_concurrency());
+  }();
+  return count;
+}
+
+void pause() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("isb" ::: "memory");
+#endif
+}
+
+}  // namespace
 
 Barrier::Barrier(std::size_t parties, std::function<void()> completion)
-    : completion_(std::move(completion)), parties_(parties) {}
+    : completion_(std::move(completion)), state_(parties * kOneParty) {
+  if (parties > kMostParties) throw std::length_error("too many parties for a barrier");
+  gates_[0].word.store(static_cast<std::uint32_t>(-2));
+  gates_[1].word.store(0);
+}
 
 Barrier::~Barrier() = default;
 
-void Barrier::end_phase() {
-  if (completion_) completion_();
-  arrived_.store(0, std::memory_order_relaxed);
-  phase_.fetch_add(1, std::memory_order_release);
-  phase_.notify_all();
+bool Barrier::arrive_and_wait() {
+  std::uint64_t state = state_.load(std::memory_order_relaxed);
+  for (;;) {
+    Gate& gate = gates_[phase_of(state) & 1U];
+    if ((gate.word.load(std::memory_order_acquire) & kCancelled) != 0) return false;
+    const bool last = arrived_of(state) + 1 == parties_of(state);
+    const std::uint64_t next = last ? next_phase(state) : state + kOneArrived;
+    if (!state_.compare_exchange_weak(state, next, std::memory_order_acq_rel,
+                                      std::memory_order_relaxed)) {
+      continue;
+    }
+    if (!last) return wait(gate, phase_of(state), parties_of(state));
+    return end_phase(phase_of(state));
+  }
 }
 
-bool Barrier::arrive_and_wait() {
-  const std::uint32_t phase = phase_.load(std::memory_order_acquire);
-  if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == parties_.load()) {
-    end_phase();
-  } else {
-    while (phase_.load(std::memory_order_acquire) == phase && !cancelled_.load()) {
-      phase_.wait(phase, std::memory_order_acquire);
+bool Barrier::wait(Gate& gate, std::uint32_t phase, std::size_t parties) {
+  int spins = parties <= cores() ? kSpins : 0;
+  int yields = kYields;
+  for (;;) {
+    const std::uint32_t word = gate.word.load(std::memory_order_acquire);
+    if (is_over(word, phase)) return true;
+    if ((word & kCancelled) != 0) return false;
+    if (spins > 0) {
+      --spins;
+      pause();
+    } else if (yields > 0) {
+      --yields;
+      sched_yield();
+    } else {
+      break;
     }
   }
-  return !cancelled_.load();
+  // Counted first, then looked at again (by the kernel, as it falls asleep), while end_phase()
+  // moves the word first and looks at the count after: in the single order of these four, one sees
+  // the other, and no wake-up is lost.
+  gate.sleepers.fetch_add(1, std::memory_order_seq_cst);
+  std::uint32_t word = gate.word.load(std::memory_order_seq_cst);
+  while ((word & kCancelled) == 0 && !is_over(word, phase)) {
+    sleep_while_equal(gate.word, word);
+    word = gate.word.load(std::memory_order_seq_cst);
+  }
+  // Whoever still sleeps is in the count, so each that leaves wakes at least one of them, and the
+  // chain does not break.  Sleepers of a later phase cannot be here before this thread has arrived.
+  if (gate.sleepers.fetch_sub(1, std::memory_order_seq_cst) > 1) wake(gate.word, kWakes);
+  return is_over(word, phase);
+}
+
+bool Barrier::end_phase(std::uint32_t phase) {
+  // Only where the phase before was ended by a party that left, and that was the only one, can it
+  // still be at its completion.
+  const Gate& before = gates_[(phase - 1) & 1U];
+  for (;;) {
+    const std::uint32_t word = before.word.load(std::memory_order_acquire);
+    if ((word & kCancelled) != 0) return false;
+    if (is_over(word, phase - 1)) break;
+    sched_yield();
+  }
+  if (completion_) {
+    try {
+      completion_();
+    } catch (...) {
+      cancel();
+      throw;
+    }
+  }
+  Gate& gate = gates_[phase & 1U];
+  gate.word.fetch_add(kNextOfGate, std::memory_order_seq_cst);
+  if (gate.sleepers.load(std::memory_order_seq_cst) > 0) wake(gate.word, 2 * kWakes);
+  return true;
 }
 
 void Barrier::join() {
-  parties_.fetch_add(1);
+  std::uint64_t state = state_.load(std::memory_order_relaxed);
+  do {
+    if (parties_of(state) == kMostParties) {
+      throw std::length_error("too many parties for a barrier");
+    }
+  } while (!state_.compare_exchange_weak(state, state + kOneParty, std::memory_order_acq_rel,
+                                         std::memory_order_relaxed));
 }
 
 void Barrier::leave() {
-  const std::size_t left = parties_.fetch_sub(1) - 1;
-  if (left > 0 && arrived_.load() == left) end_phase();
+  std::uint64_t state = state_.load(std::memory_order_relaxed);
+  for (;;) {
+    assert(parties_of(state) > arrived_of(state));
+    const bool last = arrived_of(state) + 1 == parties_of(state);
+    const std::uint64_t without = state - kOneParty;
+    if (!state_.compare_exchange_weak(state, last ? next_phase(without) : without,
+                                      std::memory_order_acq_rel, std::memory_order_relaxed)) {
+      continue;
+    }
+    if (last) (void)end_phase(phase_of(state));
+    return;
+  }
 }
 
 void Barrier::cancel() {
-  cancelled_.store(true);
-  phase_.fetch_add(1, std::memory_order_release);
-  phase_.notify_all();
+  for (Gate& gate : gates_) {
+    gate.word.fetch_or(kCancelled, std::memory_order_seq_cst);
+    wake_all(gate.word);
+  }
 }
 
 std::size_t Barrier::parties() const {
-  return parties_.load();
+  return parties_of(state_.load(std::memory_order_relaxed));
 }
+
 bool Barrier::cancelled() const {
-  return cancelled_.load();
+  return (gates_[0].word.load(std::memory_order_acquire) & kCancelled) != 0;
 }
 
 }  // namespace carom

@@ -1,115 +1,214 @@
 #include "carom/crew.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <mutex>
-#include <thread>
+#include <new>
+#include <system_error>
+#include <utility>
 
 #include "carom/barrier.hpp"
+#include "crew/thread.hpp"
 
 namespace carom {
+namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// What went wrong in the workers: of several failures the one of the lowest worker, which does not
+/// depend on who was first, since all of a phase get to its end.
+class Failure {
+ public:
+  void add(std::size_t worker, std::exception_ptr exception) {
+    const std::scoped_lock lock(mutex_);
+    if (exception_ && worker_ < worker) return;
+    worker_ = worker;
+    exception_ = std::move(exception);
+  }
+  /// REQUIRES: no worker runs.
+  void rethrow() const {
+    if (exception_) std::rethrow_exception(exception_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::size_t worker_ = 0;
+  std::exception_ptr exception_;
+};
+
+}  // namespace
 
 class Crew::Implementation {
  public:
   Implementation(std::size_t workers, std::vector<Phase> phases)
       : phases_(std::move(phases)), spent_(phases_.size(), 0.0) {
-    resize(workers);
+    for (std::size_t i = 0; i < phases_.size(); ++i) {
+      phase_done_.push_back(std::make_unique<Barrier>(0, [this, i] { finish(i); }));
+    }
+    try {
+      start(workers);
+    } catch (...) {
+      stop();
+      throw;
+    }
   }
   ~Implementation() { stop(); }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
 
   void do_frame(std::size_t first) {
     current_ = first;
-    started_ = Clock::now();
-    (void)do_frame_->arrive_and_wait();
-    (void)frame_done_->arrive_and_wait();
-    if (failure_) std::rethrow_exception(failure_);
+    phase_began_ = Clock::now();
+    if (do_frame_.arrive_and_wait() && frame_done_.arrive_and_wait()) return;
+    stop();
+    failure_.rethrow();
   }
 
   void resize(std::size_t workers) {
-    stop();
-    quit_ = false;
-    do_frame_ = std::make_unique<Barrier>(workers + 1);
-    frame_done_ = std::make_unique<Barrier>(workers + 1);
-    barriers_.clear();
-    for (std::size_t i = 0; i < phases_.size(); ++i) {
-      barriers_.push_back(std::make_unique<Barrier>(workers, [this, i] { finish(i); }));
-    }
-    for (std::size_t i = 0; i < workers; ++i) {
-      threads_.emplace_back([this, i, workers] { live(Share{i, workers}); });
+    if (workers < threads_.size()) {
+      end(workers);
+    } else if (workers > threads_.size()) {
+      const std::size_t before = threads_.size();
+      try {
+        start(workers);
+      } catch (...) {
+        end(before);
+        throw;
+      }
     }
   }
 
-  std::size_t workers() const { return threads_.size(); }
-  Seconds seconds() const {
+  [[nodiscard]] std::size_t workers() const { return threads_.size(); }
+
+  [[nodiscard]] std::vector<BarrierStatus> barriers() const {
+    std::vector<BarrierStatus> result{{"do_frame", do_frame_.parties()}};
+    for (std::size_t i = 0; i < phases_.size(); ++i) {
+      result.push_back({phases_[i].name, phase_done_[i]->parties()});
+    }
+    result.push_back({"frame_done", frame_done_.parties()});
+    return result;
+  }
+
+  [[nodiscard]] Seconds seconds() const {
     Seconds result;
-    for (std::size_t i = 0; i < phases_.size(); ++i)
+    for (std::size_t i = 0; i < phases_.size(); ++i) {
       result.emplace_back(phases_[i].name, spent_[i]);
+    }
     return result;
   }
 
  private:
-  void live(Share share) {
-    while (do_frame_->arrive_and_wait() && !quit_) {
-      try {
-        while (current_ != Phase::kFrameDone) {
-          const std::size_t now = current_;
-          phases_[now].work(share);
-          if (!barriers_[now]->arrive_and_wait()) return;
+  /// The life of a worker.
+  void work(std::size_t index) {
+    try {
+      while (do_frame_.arrive_and_wait()) {
+        if (index >= count_) {
+          change_parties(&Barrier::leave);
+          return;
         }
-      } catch (...) {
-        fail(std::current_exception());
-        return;
+        while (current_ != Phase::kFrameDone) {
+          const std::size_t phase = current_;
+          phases_[phase].work(Share{index, count_});
+          if (!phase_done_[phase]->arrive_and_wait()) return;
+        }
+        if (!frame_done_.arrive_and_wait()) return;
       }
-      if (!frame_done_->arrive_and_wait()) return;
+    } catch (...) {
+      failure_.add(index, std::current_exception());
+      cancel();
     }
   }
+
+  /// Run by the last worker to end a phase, while the others wait.
   void finish(std::size_t phase) {
-    const auto now = Clock::now();
-    spent_[phase] += std::chrono::duration<double>(now - started_).count();
-    started_ = now;
     current_ = phases_[phase].finish();
+    const Clock::time_point now = Clock::now();
+    spent_[phase] += std::chrono::duration<double>(now - phase_began_).count();
+    phase_began_ = now;
   }
-  void fail(std::exception_ptr failure) {
-    const std::scoped_lock lock(mutex_);
-    if (!failure_) failure_ = std::move(failure);
-    do_frame_->cancel();
-    frame_done_->cancel();
-    for (auto& barrier : barriers_) barrier->cancel();
+
+  void change_parties(void (Barrier::*change)()) {
+    (do_frame_.*change)();
+    for (const auto& barrier : phase_done_) ((*barrier).*change)();
+    (frame_done_.*change)();
   }
+
+  void cancel() {
+    do_frame_.cancel();
+    for (const auto& barrier : phase_done_) barrier->cancel();
+    frame_done_.cancel();
+  }
+
+  /// Starts workers up to `workers`.
+  void start(std::size_t workers) {
+    threads_.reserve(workers);
+    count_ = workers;
+    for (std::size_t i = threads_.size(); i < workers; ++i) {
+      change_parties(&Barrier::join);
+      std::string reason;
+      try {
+        threads_.emplace_back([this, i] { work(i); });
+        continue;
+      } catch (const std::system_error& error) {
+        reason = error.code().message();
+      } catch (const std::bad_alloc&) {
+        reason = "out of memory";
+      }
+      if (i > 0) change_parties(&Barrier::leave);  // else the crew never was, and is cancelled
+      throw CrewError("the system gave only " + std::to_string(i) + " of " +
+                      std::to_string(workers) + " worker threads (" + reason +
+                      "): use fewer, as in --workers 2");
+    }
+  }
+
+  /// Ends the workers from number `workers` on: they are let through do_frame and leave, the others
+  /// find a frame of no phases.
+  void end(std::size_t workers) {
+    count_ = workers;
+    if (workers == threads_.size()) return;
+    current_ = Phase::kFrameDone;
+    (void)do_frame_.arrive_and_wait();
+    (void)frame_done_.arrive_and_wait();
+    while (threads_.size() > workers) threads_.pop_back();
+  }
+
+  /// Ends all workers, for good.
   void stop() {
-    if (threads_.empty()) return;
-    quit_ = true;
-    (void)do_frame_->arrive_and_wait();
-    for (auto& thread : threads_) thread.join();
+    cancel();
     threads_.clear();
   }
 
   std::vector<Phase> phases_;
   std::vector<double> spent_;
-  std::unique_ptr<Barrier> do_frame_;
-  std::unique_ptr<Barrier> frame_done_;
-  std::vector<std::unique_ptr<Barrier>> barriers_;
-  std::vector<std::thread> threads_;
+  Barrier do_frame_{1};
+  std::vector<std::unique_ptr<Barrier>> phase_done_;
+  Barrier frame_done_{1};
+  std::vector<Thread> threads_;
+  Failure failure_;
+
+  // Written by the control thread between frames or by finish(); the barriers order the rest.
+  std::size_t count_ = 0;
   std::size_t current_ = 0;
-  Clock::time_point started_;
-  bool quit_ = false;
-  std::mutex mutex_;
-  std::exception_ptr failure_;
+  Clock::time_point phase_began_;
 };
 
 Crew::Crew(std::size_t workers, std::vector<Phase> phases)
-    : implementation_(std::make_unique<Implementation>(workers, std::move(phases))) {}
+    : implementation_(
+          std::make_unique<Implementation>(std::max<std::size_t>(workers, 1), std::move(phases))) {}
 Crew::~Crew() = default;
+
 void Crew::do_frame(std::size_t first) {
   implementation_->do_frame(first);
 }
 void Crew::resize(std::size_t workers) {
-  implementation_->resize(workers);
+  implementation_->resize(std::max<std::size_t>(workers, 1));
 }
 std::size_t Crew::workers() const {
   return implementation_->workers();
+}
+std::vector<BarrierStatus> Crew::barriers() const {
+  return implementation_->barriers();
 }
 Seconds Crew::seconds() const {
   return implementation_->seconds();
