@@ -29,7 +29,7 @@ struct Separation {
 
 template <bool kPeriodicX, bool kPeriodicY>
 double search(const PairList& pairs, std::size_t begin, std::size_t end, const Balls& balls,
-              const std::array<double, 2>& periods, std::vector<Pair>& touching) {
+              const std::array<double, 2>& periods, double stretch, std::vector<Pair>& touching) {
   const Separation<kPeriodicX, kPeriodicY> separation{
       balls.position[0].data(), balls.position[1].data(), periods[0], periods[1]};
   const double* radius = balls.radius.data();
@@ -43,14 +43,15 @@ double search(const PairList& pairs, std::size_t begin, std::size_t end, const B
     for (std::size_t k = 0; k < count; ++k) {
       const double dx = std::abs(separation.along_x(first[k], second[k]));
       const double dy = std::abs(separation.along_y(first[k], second[k]));
-      gap[k] = (dx > dy ? dx : dy) - reach[k];
+      gap[k] = (dx > dy ? dx : dy) - reach[k] * stretch;
     }
     for (std::size_t k = 0; k < count; ++k) {
       if (gap[k] >= 0) continue;
       const double dx = separation.along_x(first[k], second[k]);
       const double dy = separation.along_y(first[k], second[k]);
       const double square = dx * dx + dy * dy;
-      if (square >= reach[k] * reach[k]) continue;
+      const double far = reach[k] * stretch;
+      if (square >= far * far) continue;
       touching.push_back(
           {static_cast<std::uint32_t>(first[k]), static_cast<std::uint32_t>(second[k])});
       const double smaller = std::min(radius[first[k]], radius[second[k]]);
@@ -63,13 +64,14 @@ double search(const PairList& pairs, std::size_t begin, std::size_t end, const B
 }  // namespace
 
 double find_touching(const PairList& pairs, std::size_t begin, std::size_t end, const Balls& balls,
-                     const std::array<double, 2>& periods, std::vector<Pair>& touching) {
+                     const std::array<double, 2>& periods, double stretch,
+                     std::vector<Pair>& touching) {
   const bool x = periods[0] > 0;
   const bool y = periods[1] > 0;
-  if (x && y) return search<true, true>(pairs, begin, end, balls, periods, touching);
-  if (x) return search<true, false>(pairs, begin, end, balls, periods, touching);
-  if (y) return search<false, true>(pairs, begin, end, balls, periods, touching);
-  return search<false, false>(pairs, begin, end, balls, periods, touching);
+  if (x && y) return search<true, true>(pairs, begin, end, balls, periods, stretch, touching);
+  if (x) return search<true, false>(pairs, begin, end, balls, periods, stretch, touching);
+  if (y) return search<false, true>(pairs, begin, end, balls, periods, stretch, touching);
+  return search<false, false>(pairs, begin, end, balls, periods, stretch, touching);
 }
 
 }  // namespace carom

@@ -11,6 +11,7 @@ namespace {
 
 // Passes over a group that has not come to an end yet; what is left over waits for the next step.
 constexpr int kImpactPasses = 16;
+constexpr int kPileImpactPasses = 4;  // the pile's own passes follow
 constexpr int kSeparationPasses = 8;
 
 // Runs `act` over the contacts, forwards and backwards in turn, until it finds nothing to do; says
@@ -58,32 +59,23 @@ void pay(ContactGroup& group, const Vec2& acceleration, double work, double free
 void GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactCount& count) const {
   thread_local ContactGroup group;
   group.load(balls, pairs, domain_);
-  const bool falls = rule_.acceleration.x() != 0 || rule_.acceleration.y() != 0;
+  const Vec2& acceleration = rule_.acceleration;
+  const bool falls = acceleration.x() != 0 || acceleration.y() != 0;
+  const bool rests = falls && rule_.restitution < 1 && group.bound(domain_);
   const double energy = falls ? group.kinetic_energy() : 0;
-  const bool calm = sweep(group, kImpactPasses, [&](const Contact& contact) {
-    return group.collide(contact, domain_, rule_, count);
-  });
-  const auto separate = [&](const Contact& contact) {
+  const bool calm =
+      sweep(group, rests ? kPileImpactPasses : kImpactPasses,
+            [&](const Contact& contact) { return group.collide(contact, domain_, rule_, count); });
+  if (rests && !calm) stop_on_ground(group, domain_, rule_, count);
+  sweep(group, kSeparationPasses, [&](const Contact& contact) {
     const double a = group.members[contact.a].inverse_mass / contact.inverse_masses;
     return group.separate(contact, domain_, a, 1 - a);
-  };
-  if (!falls) {
-    sweep(group, kSeparationPasses, separate);
-    group.store(balls, domain_);
-    return;
-  }
-  const bool elastic = rule_.restitution == 1;
-  if (elastic || !group.bound(domain_)) {
-    sweep(group, kSeparationPasses, separate);
-  } else {
-    Pile pile(group, domain_, rule_.acceleration);
-    if (!calm) pile.stop(domain_, rule_, count);
-    if (!sweep(group, kSeparationPasses, separate)) pile.lift(domain_);
-  }
-  if (group.bound(domain_)) {
-    const double work = group.lifting_work(rule_.acceleration);
+  });
+  if (falls && group.bound(domain_)) {
+    const double work = group.lifting_work(acceleration);
     const double set_free = std::max(0.0, energy - group.kinetic_energy());
-    if (elastic || work > set_free) pay(group, rule_.acceleration, work, elastic ? 0 : set_free);
+    const bool elastic = rule_.restitution == 1;
+    if (elastic || work > set_free) pay(group, acceleration, work, elastic ? 0 : set_free);
   }
   group.store(balls, domain_);
 }

@@ -9,11 +9,17 @@
 
 namespace carom::effects {
 
+/// The stretch where balls can come to rest on each other.
+inline constexpr double kPileStretch = 1.125;
+
 /// What the impacts of balls depend on beside the balls.
 struct CollisionRule {
   double restitution = 1;
   double wall_restitution = 1;
   Vec2 acceleration{0, 0};
+  /// Balls closer than this factor of the sum of their radii are resolved together: moving balls of
+  /// a pile apart must not push them into others that nobody looks at.
+  double stretch = 1;
   double rest_speed = 0;  ///< slower approaches come to rest: see effects/walls.hpp
   std::array<double, 2> wall_rest_speed{0, 0};  ///< the same at the walls across each axis
 };

@@ -61,6 +61,7 @@ void ContactGroup::load(const Balls& balls, std::span<const Pair> pairs, const D
     contact.line = line_of_centres(apart(contact, domain), b.velocity - a.velocity);
     contact.inverse_masses = a.inverse_mass + b.inverse_mass;
     contact.reach = a.radius + b.radius;
+    contact.touching = contact.line.distance < contact.reach;
     contacts.push_back(contact);
   }
 }
@@ -111,6 +112,7 @@ bool ContactGroup::bound(const Domain& domain) const {
 
 bool ContactGroup::collide(const Contact& contact, const Domain& domain, const CollisionRule& rule,
                            ImpactCount& count) {
+  if (!contact.touching) return false;
   Member& a = members[contact.a];
   Member& b = members[contact.b];
   const LineOfCentres& line = contact.line;

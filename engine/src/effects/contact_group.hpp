@@ -30,6 +30,7 @@ struct Contact {
   LineOfCentres line;  ///< from a to b, as it was before the group was resolved
   double inverse_masses = 0;
   double reach = 0;
+  bool touching = false;  ///< the balls overlapped before the group was resolved
 };
 
 /// Balls that touch, worked on together: a copy that is loaded, changed and stored back.

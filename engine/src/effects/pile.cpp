@@ -20,60 +20,65 @@ bool stands_on_wall(const Member& member, const Domain& domain, const Vec2& acce
   return false;
 }
 
-}  // namespace
+// One contact as seen along gravity.
+struct Standing {
+  const Contact* contact;
+  double height;  // of the two centres together: what carries comes before what is carried
+  std::uint32_t lower;
+  std::uint32_t upper;
+  Vec2 up;  // the line of centres, from the lower to the upper ball
+};
 
-Pile::Pile(ContactGroup& group, const Domain& domain, const Vec2& acceleration) : group_(group) {
-  for (Member& member : group_.members) {
-    member.supported = member.inverse_mass == 0 || stands_on_wall(member, domain, acceleration);
-  }
-  for (std::uint32_t k = 0; k < group_.contacts.size(); ++k) {
-    const Contact& contact = group_.contacts[k];
-    const double from_a_to_b = -acceleration.dot(contact.line.r);
+std::vector<Standing> from_the_ground_up(const ContactGroup& group, const Vec2& acceleration) {
+  std::vector<Standing> standings;
+  for (const Contact& contact : group.contacts) {
+    if (!contact.touching) continue;
     const double height =
-        -acceleration.dot(group_.members[contact.a].position + group_.members[contact.b].position);
-    upwards_.push_back({k, height, from_a_to_b > 0});
+        -acceleration.dot(group.members[contact.a].position + group.members[contact.b].position);
+    if (acceleration.dot(contact.line.r) < 0) {
+      standings.push_back({&contact, height, contact.a, contact.b, contact.line.r});
+    } else {
+      standings.push_back({&contact, height, contact.b, contact.a, -contact.line.r});
+    }
   }
-  std::stable_sort(upwards_.begin(), upwards_.end(),
+  std::stable_sort(standings.begin(), standings.end(),
                    [](const Standing& s, const Standing& t) { return s.height < t.height; });
-  for (const Standing& standing : upwards_) {
-    const Contact& contact = group_.contacts[standing.contact];
-    Member& lower = group_.members[standing.a_is_lower ? contact.a : contact.b];
-    Member& upper = group_.members[standing.a_is_lower ? contact.b : contact.a];
-    upper.supported = upper.supported || lower.supported;
-  }
+  return standings;
 }
 
-void Pile::stop(const Domain& domain, const CollisionRule& rule, ImpactCount& count) {
+}  // namespace
+
+void stop_on_ground(ContactGroup& group, const Domain& domain, const CollisionRule& rule,
+                    ImpactCount& count) {
+  CollisionRule soft = rule;
+  soft.restitution = 0;
+  soft.wall_restitution = 0;
+  const std::vector<Standing> standings = from_the_ground_up(group, rule.acceleration);
+  for (Member& member : group.members) {
+    member.supported =
+        member.inverse_mass == 0 || stands_on_wall(member, domain, rule.acceleration);
+  }
+  for (const Standing& standing : standings) {
+    if (group.members[standing.lower].supported) group.members[standing.upper].supported = true;
+  }
   for (int pass = 0; pass < kPasses; ++pass) {
     bool any = false;
-    for (const Standing& standing : upwards_) {
-      const Contact& contact = group_.contacts[standing.contact];
-      Member& lower = group_.members[standing.a_is_lower ? contact.a : contact.b];
-      Member& upper = group_.members[standing.a_is_lower ? contact.b : contact.a];
-      const double sign = standing.a_is_lower ? 1 : -1;
-      const Vec2 up = sign * contact.line.r;
-      const double closing = (upper.velocity - lower.velocity).dot(up);
-      if (!approaches(closing, contact.line.square, upper.velocity, lower.velocity)) continue;
+    for (const Standing& standing : standings) {
+      const Member& lower = group.members[standing.lower];
+      Member& upper = group.members[standing.upper];
+      const double square = standing.contact->line.square;
+      const double closing = (upper.velocity - lower.velocity).dot(standing.up);
+      if (!approaches(closing, square, upper.velocity, lower.velocity)) continue;
       any = true;
-      const bool sinking = (upper.velocity + lower.velocity).dot(up) <= 0;
+      const bool sinking = (upper.velocity + lower.velocity).dot(standing.up) <= 0;
       if (lower.supported && upper.inverse_mass > 0 && sinking) {
-        upper.velocity -= closing / contact.line.square * up;
-        ContactGroup::rebound(upper, domain, rule, count);
+        upper.velocity -= closing / square * standing.up;
+        ContactGroup::rebound(upper, domain, soft, count);
       } else {
-        group_.collide(contact, domain, rule, count);
+        group.collide(*standing.contact, domain, soft, count);
       }
     }
     if (!any) return;
-  }
-}
-
-void Pile::lift(const Domain& domain) {
-  for (const Standing& standing : upwards_) {
-    const Contact& contact = group_.contacts[standing.contact];
-    const Member& lower = group_.members[standing.a_is_lower ? contact.a : contact.b];
-    const Member& upper = group_.members[standing.a_is_lower ? contact.b : contact.a];
-    if (!lower.supported || upper.inverse_mass == 0) continue;
-    group_.separate(contact, domain, standing.a_is_lower ? 0 : 1, standing.a_is_lower ? 1 : 0);
   }
 }
 

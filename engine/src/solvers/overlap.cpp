@@ -141,8 +141,8 @@ std::size_t OverlapSolver::after_flight() {
 void OverlapSolver::search(Share share) {
   PairList& pairs = desks_[share.index].neighbours;
   pairs.clear();
-  grid_.neighbours(balls_, domain_, share.begin(balls_.size()), share.end(balls_.size()), skin_,
-                   pairs);
+  grid_.neighbours(balls_, domain_, share.begin(balls_.size()), share.end(balls_.size()),
+                   skin_ + near_, pairs);
 }
 
 void OverlapSolver::detect(Share share) {
@@ -153,7 +153,8 @@ void OverlapSolver::detect(Share share) {
   const PairList& pairs = listed ? desk.neighbours : all_pairs_;
   const std::size_t begin = listed ? 0 : share.begin(pairs.size());
   const std::size_t end = listed ? pairs.size() : share.end(pairs.size());
-  const double deepest = find_touching(pairs, begin, end, balls_, domain_.period, desk.touching);
+  const double deepest =
+      find_touching(pairs, begin, end, balls_, domain_.period, rule_.stretch, desk.touching);
   desk.deepest = std::max(desk.deepest, deepest);
 }
 
@@ -207,7 +208,8 @@ bool OverlapSolver::list_is_stale() const {
 void OverlapSolver::build_grid() {
   const Skin skin = choose_skin(balls_, domain_, step_);
   skin_ = skin.thickness;
-  grid_.sort(balls_, domain_, skin.reach);
+  near_ = (rule_.stretch - 1) * (skin.reach - skin.thickness);
+  grid_.sort(balls_, domain_, skin.reach + near_);
   anchor_ = balls_.position;
   listed_ = true;
 }
@@ -227,7 +229,6 @@ void OverlapSolver::add(const Ball& ball) {
     if (!turns.empty()) turns.push_back(0);
   }
   renew_rules();
-  forget_pairs();
 }
 
 void OverlapSolver::remove(std::size_t ball) {
@@ -260,8 +261,10 @@ void OverlapSolver::renew_rules() {
   if (effects_.collisions) {
     rule_.restitution = effects_.collisions->restitution;
     rule_.rest_speed = effects::rest_speed(acceleration.norm(), step_, rule_.restitution);
+    rule_.stretch = rule_.rest_speed > 0 ? effects::kPileStretch : 1;
   }
   if (effects_.walls) rule_.wall_restitution = effects_.walls->restitution;
+  forget_pairs();
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double along = acceleration[Balls::index(axis)];
     rule_.wall_rest_speed[axis] = effects::rest_speed(along, step_, rule_.wall_restitution);

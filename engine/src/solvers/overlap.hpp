@@ -100,6 +100,7 @@ class OverlapSolver final : public Solver {
   CellGrid grid_;
   std::array<Balls::Column, 2> anchor_;  // where the balls were when the list was built
   double skin_ = 0;
+  double near_ = 0;  // how far apart balls are that count as touching: see CollisionRule::stretch
   bool listed_ = false;
   std::vector<Pair> touching_;
   Groups groups_;
