@@ -95,6 +95,13 @@ struct Scene {
 /// Errors: SceneError where a fill does not find room.
 std::vector<Ball> populate(const Scene& scene);
 
+/// The method a scene is computed with.
+struct MethodChoice {
+  Method method = Method::overlap;
+  std::string why;  ///< as in "the scene names it"
+};
+MethodChoice choose_method(const Scene& scene);
+
 /// The worker threads a scene of `balls` balls gets: as the scene says; by default one per ball up
 /// to 256 balls, above that one per core.
 std::size_t worker_count(const Scene& scene, std::size_t balls);

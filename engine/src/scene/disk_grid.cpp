@@ -24,6 +24,11 @@ std::int64_t to_cell(double index) {
   return static_cast<std::int64_t>(std::floor(std::clamp(index, -kFar, kFar)));
 }
 
+/// Cells of 2^exponent are at least as wide as a disk of this radius, and less than four times.
+int exponent_of(double radius) {
+  return std::ilogb(radius) + 2;
+}
+
 std::int64_t wrapped(std::int64_t index, std::int64_t count) {
   const std::int64_t rest = index % count;
   return rest < 0 ? rest + count : rest;
@@ -47,66 +52,72 @@ double overlap_depth(const Box& box, const Vec2& a, double radius_a, const Vec2&
   return depth > 0x1p-51 * coordinates ? depth : 0;
 }
 
-std::int64_t DiskGrid::cells_along(const Level& level, int axis) const {
-  if (!box_.periodic[static_cast<std::size_t>(axis)]) return 0;
-  return std::max<std::int64_t>(1, to_cell(std::ldexp(box_.size()[axis], -level.exponent)));
+DiskGrid::Level DiskGrid::make_level(int exponent) const {
+  Level level;
+  level.exponent = exponent;
+  level.per_length = std::ldexp(1.0, -exponent);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (!box_.periodic[axis]) continue;
+    const double size = box_.size()[static_cast<Eigen::Index>(axis)];
+    level.around[axis] = std::max<std::int64_t>(1, to_cell(size * level.per_length));
+  }
+  level.buckets.assign(64, kNone);
+  return level;
 }
 
-std::array<std::int64_t, 2> DiskGrid::cell(const Level& level, const Vec2& position) const {
-  std::array<std::int64_t, 2> index{};
+DiskGrid::Cell DiskGrid::cell_of(const Level& level, const Vec2& position) const {
+  Cell index{0, 0};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto k = static_cast<Eigen::Index>(axis);
     const double from_lower = position[k] - box_.lower()[k];
-    const std::int64_t cells = cells_along(level, static_cast<int>(axis));
+    const std::int64_t cells = level.around[axis];
     if (cells == 0) {
-      index[axis] = to_cell(std::ldexp(from_lower, -level.exponent));
+      index[axis] = to_cell(from_lower * level.per_length);
     } else {
       // The cells of a periodic axis are a little wider, so that a whole number goes around.
-      const double size = box_.size()[k];
-      const double turn = from_lower / size;
+      const double turn = from_lower / box_.size()[k];
       index[axis] = wrapped(to_cell((turn - std::floor(turn)) * static_cast<double>(cells)), cells);
     }
   }
   return index;
 }
 
-std::size_t DiskGrid::bucket(const Level& level, std::int64_t x, std::int64_t y) {
-  std::uint64_t h = static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15U +
-                    static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4FU;
+std::size_t DiskGrid::bucket(const Level& level, const Cell& cell) {
+  std::uint64_t h = static_cast<std::uint64_t>(cell[0]) * 0x9E3779B97F4A7C15U +
+                    static_cast<std::uint64_t>(cell[1]) * 0xC2B2AE3D27D4EB4FU;
   h ^= h >> 32;
   return static_cast<std::size_t>(h) & (level.buckets.size() - 1);
 }
 
-void DiskGrid::insert(const Vec2& position, double radius) {
-  const int exponent = std::ilogb(radius) + 2;  // radius < 2^(exponent - 1)
-  auto level = std::find_if(levels_.begin(), levels_.end(),
-                            [&](const Level& known) { return known.exponent == exponent; });
-  if (level == levels_.end()) {
-    levels_.push_back({exponent, 0, 0, std::vector<std::uint32_t>(64, kNone)});
-    level = levels_.end() - 1;
-  }
-  const auto number = static_cast<std::uint32_t>(disks_.size());
-  disks_.push_back({position, radius, kNone});
-  level->largest = std::max(level->largest, radius);
-  ++level->count;
-  if (level->count > level->buckets.size()) {
-    grow(*level);
-    return;
-  }
-  const auto [x, y] = cell(*level, position);
-  std::uint32_t& head = level->buckets[bucket(*level, x, y)];
+void DiskGrid::put_into_bucket(Level& level, std::uint32_t number) {
+  std::uint32_t& head = level.buckets[bucket(level, disks_[number].cell)];
   disks_[number].next = head;
   head = number;
 }
 
+void DiskGrid::insert(const Vec2& position, double radius) {
+  const int exponent = exponent_of(radius);
+  auto level = std::find_if(levels_.begin(), levels_.end(),
+                            [&](const Level& known) { return known.exponent == exponent; });
+  if (level == levels_.end()) {
+    levels_.push_back(make_level(exponent));
+    level = levels_.end() - 1;
+  }
+  const auto number = static_cast<std::uint32_t>(disks_.size());
+  disks_.push_back({position, radius, cell_of(*level, position), kNone});
+  level->largest = std::max(level->largest, radius);
+  ++level->count;
+  if (level->count > level->buckets.size()) {
+    grow(*level);
+  } else {
+    put_into_bucket(*level, number);
+  }
+}
+
 void DiskGrid::grow(Level& level) {
   level.buckets.assign(level.buckets.size() * 4, kNone);
-  for (std::size_t i = 0; i < disks_.size(); ++i) {
-    if (std::ilogb(disks_[i].radius) + 2 != level.exponent) continue;
-    const auto [x, y] = cell(level, disks_[i].position);
-    std::uint32_t& head = level.buckets[bucket(level, x, y)];
-    disks_[i].next = head;
-    head = static_cast<std::uint32_t>(i);
+  for (std::uint32_t i = 0; i < disks_.size(); ++i) {
+    if (exponent_of(disks_[i].radius) == level.exponent) put_into_bucket(level, i);
   }
 }
 
@@ -117,17 +128,16 @@ void DiskGrid::visit(const Vec2& position, double radius, Found found) const {
   };
   for (const Level& level : levels_) {
     // As many cells to each side as the two disks can reach over.
-    const std::int64_t reach = 1 + to_cell(std::ldexp(radius + level.largest, -level.exponent));
+    const std::int64_t reach = 1 + to_cell((radius + level.largest) * level.per_length);
     if (reach > 1000 ||
         static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 1)) > 4 * level.count + 9) {
       for (std::uint32_t i = 0; i < disks_.size(); ++i) {
-        if (std::ilogb(disks_[i].radius) + 2 == level.exponent && overlaps(i) && found(i)) return;
+        if (exponent_of(disks_[i].radius) == level.exponent && overlaps(i) && found(i)) return;
       }
       continue;
     }
-    const auto [cell_x, cell_y] = cell(level, position);
-    const std::int64_t around_x = cells_along(level, 0);
-    const std::int64_t around_y = cells_along(level, 1);
+    const auto [cell_x, cell_y] = cell_of(level, position);
+    const auto [around_x, around_y] = level.around;
     // Around a periodic axis no cell is visited twice.
     const std::int64_t last_x =
         around_x == 0 ? cell_x + reach : std::min(cell_x + reach, cell_x - reach + around_x - 1);
@@ -136,10 +146,10 @@ void DiskGrid::visit(const Vec2& position, double radius, Found found) const {
     for (std::int64_t y = cell_y - reach; y <= last_y; ++y) {
       const std::int64_t at_y = around_y == 0 ? y : wrapped(y, around_y);
       for (std::int64_t x = cell_x - reach; x <= last_x; ++x) {
-        const std::int64_t at_x = around_x == 0 ? x : wrapped(x, around_x);
-        for (std::uint32_t i = level.buckets[bucket(level, at_x, at_y)]; i != kNone;
-             i = disks_[i].next) {
-          if (overlaps(i) && found(i)) return;
+        const Cell at{around_x == 0 ? x : wrapped(x, around_x), at_y};
+        for (std::uint32_t i = level.buckets[bucket(level, at)]; i != kNone; i = disks_[i].next) {
+          // Other cells may share the bucket.
+          if (disks_[i].cell == at && overlaps(i) && found(i)) return;
         }
       }
     }

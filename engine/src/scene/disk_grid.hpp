@@ -31,23 +31,28 @@ class DiskGrid {
   [[nodiscard]] std::size_t size() const { return disks_.size(); }
 
  private:
+  using Cell = std::array<std::int64_t, 2>;
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
   struct Disk {
     Vec2 position;
-    double radius;
+    double radius = 0;
+    Cell cell{0, 0};
     std::uint32_t next = kNone;  // in the same bucket of its level
   };
   struct Level {
-    int exponent = 0;    // cells are 2^exponent wide, at least the diameter of its disks
-    double largest = 0;  // radius
+    int exponent = 0;       // cells are 2^exponent wide, at least the diameter of its disks
+    double per_length = 0;  // 2^-exponent
+    std::array<std::int64_t, 2> around{0, 0};  // cells around a periodic axis; 0: not periodic
+    double largest = 0;                        // radius
     std::size_t count = 0;
     std::vector<std::uint32_t> buckets;
   };
 
-  [[nodiscard]] std::array<std::int64_t, 2> cell(const Level& level, const Vec2& position) const;
-  [[nodiscard]] std::int64_t cells_along(const Level& level, int axis) const;
-  static std::size_t bucket(const Level& level, std::int64_t x, std::int64_t y);
+  [[nodiscard]] Cell cell_of(const Level& level, const Vec2& position) const;
+  [[nodiscard]] Level make_level(int exponent) const;
+  static std::size_t bucket(const Level& level, const Cell& cell);
+  void put_into_bucket(Level& level, std::uint32_t number);
   void grow(Level& level);
   /// Calls `found` for each overlapping disk until it returns true.
   template <class Found>

@@ -97,9 +97,8 @@ void judge_clock(const Scene& scene, Verdict& verdict) {
     verdict.add("/duration",
                 fmt::format("is {:g} frames at this frame rate, at most {:g} can be counted",
                             scene.duration * scene.frame_rate, kMostSteps));
-  }
-  if (duration && scene.solver.step >= kSmallest &&
-      scene.duration / scene.solver.step > kMostSteps) {
+  } else if (duration && scene.solver.step >= kSmallest &&
+             scene.duration / scene.solver.step > kMostSteps) {
     verdict.add("/duration",
                 fmt::format("takes {:g} steps of {:g}, at most {:g} can be counted",
                             scene.duration / scene.solver.step, scene.solver.step, kMostSteps));

@@ -35,20 +35,21 @@ Rows hexagonal_rows(const Region& region, std::size_t count, std::size_t columns
     best.margin = size.y() / 2;
     best.up = size.y();
   } else {
-    // The margin is half the spacing: 2 margin + gaps * up = height, where the spacing is that
-    // along a row, or d with d^2 = half^2 + up^2 to the next row, whichever is less.
-    best.up = (size.y() - best.across) / gaps;
-    best.margin = half;
-    if (best.up < 0 || half * half + best.up * best.up < best.across * best.across) {
-      const double h = size.y();
-      best.up =
-          (h * h - half * half) / (h * gaps + std::sqrt(h * h + (gaps * gaps - 1) * half * half));
-      best.margin = std::sqrt(half * half + best.up * best.up) / 2;
-    }
+    // The margin is half the spacing, which is the least of three distances: to the next site of
+    // the row, to the next row, and to the row after that.  2 margin + gaps * up = height has one
+    // solution for each; the least margin belongs to the largest of them.
+    const double h = size.y();
+    const double by_row = (h - best.across) / gaps;
+    const double by_next =
+        (h * h - half * half) / (h * gaps + std::sqrt(h * h + (gaps * gaps - 1) * half * half));
+    best.up = std::max(by_row, by_next);
+    if (best.rows > 2) best.up = std::max(best.up, h / (gaps + 2));
+    best.margin = (h - gaps * best.up) / 2;
   }
   best.spacing = best.across;
   if (shifted) {
     best.spacing = std::min(best.spacing, std::sqrt(half * half + best.up * best.up));
+    if (best.rows > 2 || region.around[1]) best.spacing = std::min(best.spacing, 2 * best.up);
   } else {
     best.spacing = std::min(best.spacing, size.y());
   }

@@ -220,9 +220,14 @@ class Shape {
     if (command != nullptr && command->kind == Value::Kind::text) {
       const Group& group = script_line_group(command->text());
       if (&group != &kScriptLine) {
+        if (command->text() != "set") {
+          return check_object(value, place, group, Missing::everywhere);
+        }
+        if (value.find("effects") == nullptr && value.find("solver") == nullptr) {
+          add(value, place, R"(sets nothing, it needs "effects" or "solver")");
+        }
         // What a line sets is a part: it needs no key of an effect that keeps its value.
-        return check_object(value, place, group,
-                            command->text() == "set" ? Missing::at_the_top : Missing::everywhere);
+        return check_object(value, place, group, Missing::at_the_top);
       }
     }
     if (value.kind != Value::Kind::object) {

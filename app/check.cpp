@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "carom/footprint.hpp"
+#include "carom/scene_file.hpp"
+#include "commands.hpp"
+#include "load_scene.hpp"
+#include "standard_streams.hpp"
+
+namespace carom {
+
+namespace {
+
+std::string row(std::string_view name, std::string_view value) {
+  return fmt::format("  {:<15}{}\n", name, value);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += text.empty() ? word : ", " + word;
+  return text.empty() ? "nothing" : text;
+}
+
+/// Both lists together name every effect there is.
+struct EffectLists {
+  std::vector<std::string> simulated;
+  std::vector<std::string> not_simulated;
+
+  void put(bool named, const char* name, const std::string& values) {
+    if (named) {
+      simulated.push_back(fmt::format("{} ({})", name, values));
+    } else {
+      not_simulated.emplace_back(name);
+    }
+  }
+};
+
+EffectLists list_effects(const Effects& effects) {
+  const Walls walls = effects.walls.value_or(Walls{});
+  const Collisions collisions = effects.collisions.value_or(Collisions{});
+  const Vec2 g = effects.gravity.value_or(Gravity{}).acceleration;
+  const Friction friction = effects.friction.value_or(Friction{});
+  const Attraction attraction = effects.attraction.value_or(Attraction{});
+  EffectLists lists;
+  lists.put(effects.walls.has_value(), "walls", fmt::format("restitution {:g}", walls.restitution));
+  lists.put(effects.collisions.has_value(), "collisions",
+            fmt::format("restitution {:g}", collisions.restitution));
+  lists.put(effects.gravity.has_value(), "gravity", fmt::format("{:g}, {:g}", g.x(), g.y()));
+  lists.put(effects.drag.has_value(), "drag",
+            fmt::format("rate {:g}", effects.drag.value_or(Drag{}).rate));
+  lists.put(effects.friction.has_value(), "friction",
+            fmt::format("balls {:g}, walls {:g}", friction.balls, friction.walls));
+  lists.put(
+      effects.attraction.has_value(), "attraction",
+      fmt::format("strength {:g}, softening {:g}", attraction.strength, attraction.softening));
+  return lists;
+}
+
+std::string sides(const Scene& scene) {
+  const char* solid = scene.effects.walls ? "walls" : "open sides";
+  const auto [x, y] = scene.box.periodic;
+  if (x && y) return "periodic in x and y";
+  if (x) return fmt::format("periodic in x, {} in y", solid);
+  if (y) return fmt::format("periodic in y, {} in x", solid);
+  return solid;
+}
+
+std::string counted(std::size_t n, const char* one, const char* more) {
+  return fmt::format("{} {}", n, n == 1 ? one : more);
+}
+
+std::string threads(const Scene& scene, const Footprint& footprint) {
+  const std::size_t balls = std::max<std::size_t>(1, footprint.balls);
+  const bool per_ball = !scene.workers && footprint.workers == balls;
+  return fmt::format("{}: the control thread and {}{}", footprint.workers + 1,
+                     counted(footprint.workers, "worker", "workers"),
+                     per_ball ? ", one per ball" : "");
+}
+
+std::string describe(const std::string& file, const Scene& scene) {
+  const std::vector<Ball> balls = populate(scene);
+  const Footprint footprint = carom::footprint(scene, balls);
+  const EffectLists effects = list_effects(scene.effects);
+  const MethodChoice choice = choose_method(scene);
+  const auto fixed = static_cast<std::size_t>(
+      std::count_if(balls.begin(), balls.end(), [](const Ball& ball) { return ball.fixed; }));
+
+  std::string text = fmt::format("{}: valid\n", file);
+  if (!scene.name.empty()) text += row("name", scene.name);
+  text += row("simulated", joined(effects.simulated));
+  text += row("not simulated", joined(effects.not_simulated));
+  text +=
+      row("box", fmt::format("{:g} x {:g}, {}", scene.box.width, scene.box.height, sides(scene)));
+  text += row("balls", fixed == 0 ? fmt::format("{}", balls.size())
+                                  : fmt::format("{}, {} of them fixed", balls.size(), fixed));
+  text += row("pairs", scene.effects.collisions ? fmt::format("{}", footprint.pairs)
+                                                : "none: balls pass through each other");
+  text += row("method", fmt::format("{}, step {:.6g} s: {}",
+                                    choice.method == Method::overlap ? "overlap" : "event",
+                                    scene.solver.step, choice.why));
+  text += row("duration",
+              fmt::format("{:g} s at {:g} frames per second", scene.duration, scene.frame_rate));
+  text += row("script",
+              scene.script.empty() ? "none" : counted(scene.script.size(), "command", "commands"));
+  text += row("threads", threads(scene, footprint));
+  text += row("barriers", joined(footprint.barriers));
+  text += row("memory", counted(footprint.bytes(), "byte", "bytes"));
+  for (const auto& [name, bytes] : footprint.columns) {
+    text += fmt::format("    {:<13}{}\n", name, bytes);
+  }
+  for (const auto& [name, bytes] : footprint.lists) {
+    text += fmt::format("    {:<13}{} (estimated)\n", name, bytes);
+  }
+  return text;
+}
+
+}  // namespace
+
+int check(const Options& options) {
+  bool good = true;
+  for (const std::string& file : options.scenes) {
+    try {
+      print(describe(file, load_scene(file, options)));
+    } catch (const SceneError& error) {
+      good = false;
+      for (const Problem& problem : error.problems()) {
+        print_error("carom: " + error.line(problem) + '\n');
+      }
+    }
+  }
+  return good ? 0 : 2;
+}
+
+}  // namespace carom

@@ -1,0 +1,64 @@
+#include "carom/footprint.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace carom {
+
+namespace {
+
+constexpr std::size_t kNumber = sizeof(double);
+constexpr std::size_t kAllPairsBelow = 64;  // balls; from here on the neighbours are listed
+constexpr std::size_t kPair = 2 * sizeof(int) + kNumber;
+constexpr std::size_t kCellEntry = 3 * kNumber + 2 * sizeof(int) + 2 * sizeof(int);
+
+/// Neighbours are looked for out to about one and a half contact distances.
+std::size_t listed_pairs(const Scene& scene, const std::vector<Ball>& balls) {
+  double radii = 0;
+  for (const Ball& ball : balls) radii += ball.radius;
+  const double n = static_cast<double>(balls.size());
+  const double reach = 3 * radii / n;
+  const double around = n * std::numbers::pi * reach * reach / (scene.box.width * scene.box.height);
+  return static_cast<std::size_t>(n * std::min(around, n - 1) / 2);
+}
+
+}  // namespace
+
+std::size_t Footprint::bytes() const {
+  std::size_t sum = 0;
+  for (const auto& [name, bytes] : columns) sum += bytes;
+  for (const auto& [name, bytes] : lists) sum += bytes;
+  return sum;
+}
+
+Footprint footprint(const Scene& scene, const std::vector<Ball>& balls) {
+  Footprint result;
+  const std::size_t n = balls.size();
+  result.balls = n;
+  result.columns = {{"position", 2 * n * kNumber}, {"velocity", 2 * n * kNumber},
+                    {"radius", n * kNumber},       {"mass", n * kNumber},
+                    {"inverse_mass", n * kNumber}, {"glyph", n}};
+  if (scene.effects.friction) result.columns.emplace_back("spin", n * kNumber);
+  result.workers = worker_count(scene, n);
+  result.barriers = {"do_frame", scene.effects.walls ? "wall_computation" : "flight"};
+  if (scene.effects.collisions) {
+    const auto fixed = static_cast<std::size_t>(
+        std::count_if(balls.begin(), balls.end(), [](const Ball& ball) { return ball.fixed; }));
+    const auto unique = [](std::size_t k) { return k == 0 ? 0 : k * (k - 1) / 2; };
+    result.pairs = unique(n) - unique(fixed);
+    if (n < kAllPairsBelow) {
+      result.lists.emplace_back("pairs", result.pairs * kPair);
+    } else {
+      result.lists.emplace_back("pairs", listed_pairs(scene, balls) * kPair);
+      result.lists.emplace_back("cells", n * kCellEntry);
+      result.lists.emplace_back("anchors", 2 * n * kNumber);
+      result.barriers.emplace_back("neighbour_search");
+    }
+    result.barriers.emplace_back("pair_computation");
+    result.barriers.emplace_back("pair_resolution");
+  }
+  result.barriers.emplace_back("frame_done");
+  return result;
+}
+
+}  // namespace carom
