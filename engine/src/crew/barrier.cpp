@@ -2,22 +2,26 @@
 
 #include <sched.h>
 
+#include <algorithm>
 #include <cassert>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include "crew/sleep.hpp"
+#include "crew/thread.hpp"
 
 namespace carom {
 namespace {
 
-// How long to wait awake.  A pause is some 40 ns, so the spin is a few microseconds, about the
-// price of sleeping and being woken.  With more parties than cores a spin only keeps the core from
-// those who are still to arrive; a yield lets each of them run once, and after two of them the
-// phase is over unless its work is uneven, when to sleep is right.
-constexpr int kSpins = 100;
-constexpr int kYields = 2;
+// How long to wait awake.  A pause is some 40 ns, so the spin takes about a microsecond, the price
+// of a switch of threads: where another program has the core of the other party no more is lost.
+// With more parties than cores a spin only keeps the core from those who are still to arrive.  One
+// yield lets each of them run once, after which the phase is over unless its work is uneven; to
+// yield on then gives every other program of the machine its turn, crossing by crossing, so it is
+// time to sleep.
+constexpr int kSpins = 20;
+constexpr int kYields = 4;
+constexpr int kYieldsOfMany = 1;
 // A thread that wakes up wakes the next few: the last to arrive does not pay for all, and a
 // sleeper's data are fetched once, by the core on which it is about to run.
 constexpr int kWakes = 4;
@@ -53,14 +57,7 @@ bool is_over(std::uint32_t word, std::uint32_t phase) {
 }
 
 std::size_t cores() {
-  static const std::size_t count = [] {
-    cpu_set_t allowed;
-    CPU_ZERO(&allowed);
-    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
-      return static_cast<std::size_t>(CPU_COUNT(&allowed));
-    }
-    return static_cast<std::size_t>(std::thread::hardware_concurrency());
-  }();
+  static const std::size_t count = std::max<std::size_t>(usable_cores().size(), 1);
   return count;
 }
 
@@ -100,8 +97,9 @@ bool Barrier::arrive_and_wait() {
 }
 
 bool Barrier::wait(Gate& gate, std::uint32_t phase, std::size_t parties) {
-  int spins = parties <= cores() ? kSpins : 0;
-  int yields = kYields;
+  const bool many = parties > cores();
+  int spins = many ? 0 : kSpins;
+  int yields = many ? kYieldsOfMany : kYields;
   for (;;) {
     const std::uint32_t word = gate.word.load(std::memory_order_acquire);
     if (is_over(word, phase)) return true;

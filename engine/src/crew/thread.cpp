@@ -1,5 +1,8 @@
 #include "crew/thread.hpp"
 
+#include <sched.h>
+
+#include <cerrno>
 #include <cstddef>
 #include <system_error>
 #include <utility>
@@ -22,9 +25,15 @@ extern "C" void* run_body(void* body) {
 
 class Attributes {
  public:
-  Attributes() {
+  explicit Attributes(std::optional<int> core) {
     pthread_attr_init(&attributes_);
     pthread_attr_setstacksize(&attributes_, kStackBytes);
+    if (core) {
+      cpu_set_t only;
+      CPU_ZERO(&only);
+      CPU_SET(*core, &only);
+      pthread_attr_setaffinity_np(&attributes_, sizeof only, &only);
+    }
   }
   ~Attributes() { pthread_attr_destroy(&attributes_); }
   Attributes(const Attributes&) = delete;
@@ -37,15 +46,29 @@ class Attributes {
 
 }  // namespace
 
-Thread::Thread(std::function<void()> body)
+Thread::Thread(std::function<void()> body, std::optional<int> core)
     : body_(std::make_unique<std::function<void()>>(std::move(body))) {
-  const Attributes attributes;
-  const int error = pthread_create(&id_, attributes.get(), run_body, body_.get());
+  const auto create = [this](std::optional<int> where) {
+    return pthread_create(&id_, Attributes(where).get(), run_body, body_.get());
+  };
+  int error = create(core);
+  if (error == EINVAL && core) error = create({});  // the core was taken away meanwhile
   if (error != 0) throw std::system_error(error, std::generic_category());
 }
 
 Thread::~Thread() {
   if (body_) pthread_join(id_, nullptr);
+}
+
+std::vector<int> usable_cores() {
+  std::vector<int> cores;
+  cpu_set_t usable;
+  CPU_ZERO(&usable);
+  if (sched_getaffinity(0, sizeof usable, &usable) != 0) return cores;
+  for (int core = 0; core < CPU_SETSIZE; ++core) {
+    if (CPU_ISSET(core, &usable)) cores.push_back(core);
+  }
+  return cores;
 }
 
 }  // namespace carom

@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace carom {
 
@@ -14,7 +16,8 @@ namespace carom {
 /// program, so it throws nothing.
 class Thread {
  public:
-  explicit Thread(std::function<void()> body);
+  /// Runs `body`, on `core` alone where one is given and may be used.
+  explicit Thread(std::function<void()> body, std::optional<int> core = {});
   ~Thread();
   Thread(Thread&&) noexcept = default;
   Thread& operator=(Thread&&) = delete;
@@ -25,5 +28,8 @@ class Thread {
   std::unique_ptr<std::function<void()>> body_;  ///< empty once moved from: nothing to wait for
   pthread_t id_{};
 };
+
+/// The cores that this process may use, by the system's numbers; empty where it does not say.
+std::vector<int> usable_cores();
 
 }  // namespace carom
