@@ -59,9 +59,9 @@ int run(const Options& options) {
 
   // Opened before anything runs: what cannot be written is found now.
   UnfinishedFiles::remove_on_signals();
-  OutputFile dump(options.dump);
-  OutputFile report_file(options.report);
-  OutputFile save(options.save);
+  OutputFile dump("--dump", options.dump);
+  OutputFile report_file("--report", options.report);
+  OutputFile save("--save", options.save);
 
   const auto started = Clock::now();
   Session session(scene);

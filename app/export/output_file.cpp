@@ -53,34 +53,35 @@ bool is_same_file(const std::string& one, const std::string& other) {
     // What is written through may well be shared, as /dev/null is.
     return S_ISREG(first.st_mode) && first.st_dev == second.st_dev && first.st_ino == second.st_ino;
   }
+  namespace fs = std::filesystem;
   std::error_code ignored;
-  return std::filesystem::weakly_canonical(one, ignored) ==
-         std::filesystem::weakly_canonical(other, ignored);
+  return fs::weakly_canonical(fs::absolute(one), ignored) ==
+         fs::weakly_canonical(fs::absolute(other), ignored);
 }
 
-OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
-  if (name_.empty()) return;
-  if (const int open_already = named_descriptor(name_); open_already >= 0) {
-    if (name_ == "-") name_ = "standard output";
+OutputFile::OutputFile(const std::string& option, const std::string& name)
+    : name_(option + ": " + (name == "-" ? "standard output" : name)) {
+  if (name.empty()) return;
+  if (const int open_already = named_descriptor(name); open_already >= 0) {
     descriptor_ = fcntl(open_already, F_DUPFD_CLOEXEC, 0);
     if (descriptor_ < 0) fail();
     return;
   }
   struct stat status {};
-  const bool exists = stat(name_.c_str(), &status) == 0;
+  const bool exists = stat(name.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {
     errno = EISDIR;
     fail();
   }
   if (exists && !S_ISREG(status.st_mode)) {
-    descriptor_ = open(name_.c_str(), O_WRONLY | O_CLOEXEC);
+    descriptor_ = open(name.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) fail();
     return;
   }
   // A file that may not be written is not replaced either.
-  if (exists && access(name_.c_str(), W_OK) != 0) fail();
+  if (exists && access(name.c_str(), W_OK) != 0) fail();
   std::error_code error;
-  target_ = exists ? std::filesystem::canonical(name_, error).string() : name_;
+  target_ = exists ? std::filesystem::canonical(name, error).string() : name;
   if (error) throw std::system_error(error, name_);
   temporary_ = target_ + ".XXXXXX";
   descriptor_ = UnfinishedFiles::create(temporary_);
@@ -90,13 +91,6 @@ OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
   }
   (void)fchmod(descriptor_, exists ? status.st_mode & 07777U : mode_of_new_files());
 }
-
-OutputFile::OutputFile(OutputFile&& other) noexcept
-    : name_(std::move(other.name_)),
-      target_(std::move(other.target_)),
-      temporary_(std::exchange(other.temporary_, {})),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      buffer_(std::move(other.buffer_)) {}
 
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) close(descriptor_);

@@ -14,14 +14,12 @@ namespace carom {
 ///
 /// Holds: without `commit` nothing is left behind, not even where a signal ends the program.
 /// Threads: the control thread only.
-/// Errors: std::system_error that names the file.
+/// Errors: std::system_error that names the option and the file.
 class OutputFile {
  public:
-  OutputFile() = default;                 ///< no file: `write` and `commit` do nothing
-  explicit OutputFile(std::string name);  ///< empty: no file
+  /// An empty name is no file: `write` and `commit` do nothing.  `option` is named in errors.
+  OutputFile(const std::string& option, const std::string& name);
   ~OutputFile();
-  OutputFile(OutputFile&& other) noexcept;
-  OutputFile& operator=(OutputFile&&) = delete;
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
@@ -33,7 +31,7 @@ class OutputFile {
   void flush();
   [[noreturn]] void fail() const;
 
-  std::string name_;       // as the user knows it
+  std::string name_;       // as the user knows it, for errors
   std::string target_;     // the file to replace
   std::string temporary_;  // empty: written through
   int descriptor_ = -1;

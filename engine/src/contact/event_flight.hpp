@@ -1,0 +1,79 @@
+#pragma once
+
+#include "contact/event_scalar.hpp"
+
+namespace carom::event {
+
+/// Where a ball was and how fast it left when its last impact was over: between impacts this is all
+/// there is to know of it.  The time of the start is kept by the caller; only elapsed times come in
+/// here.
+template <class S>
+struct Flight {
+  Vec<S> position;
+  Vec<S> velocity;
+};
+
+/// Uniform motion.
+template <class S>
+struct StraightLaw {
+  Vec<S> displacement(const Flight<S>& f, const S& elapsed) const {
+    return {f.velocity.x * elapsed, f.velocity.y * elapsed};
+  }
+  Vec<S> velocity_change(const Flight<S>&, const S&) const { return {S(0), S(0)}; }
+};
+
+/// Uniform acceleration, the same for every ball.
+template <class S>
+struct BallisticLaw {
+  Vec<S> gravity;
+
+  Vec<S> displacement(const Flight<S>& f, const S& elapsed) const {
+    const S half = elapsed / 2;
+    return {multiply_add(gravity.x, half, f.velocity.x) * elapsed,
+            multiply_add(gravity.y, half, f.velocity.y) * elapsed};
+  }
+  Vec<S> velocity_change(const Flight<S>&, const S& elapsed) const {
+    return {gravity.x * elapsed, gravity.y * elapsed};
+  }
+};
+
+/// The flight as it is `elapsed` after its start; after 0 it is itself to the last bit.
+template <class S, class Law>
+Flight<S> after(const Law& law, const Flight<S>& f, const S& elapsed) {
+  return {f.position + law.displacement(f, elapsed), f.velocity + law.velocity_change(f, elapsed)};
+}
+
+/// Position and velocity of one ball as seen from another at one instant.
+template <class S>
+struct Relative {
+  Vec<S> r;
+  Vec<S> v;
+};
+
+/// The later starter as seen from the earlier one at the moment of the later start, `elapsed` >= 0
+/// after the earlier start. Whichever of two equal starters is called earlier, the result is the
+/// same but for its sign, to the last bit, and every function of a pair here is even in (r, v): so
+/// nothing depends on the order of the pair. Positions are subtracted before the displacement is,
+/// which is exact for balls near each other.
+///
+/// From here on two balls under the same law move straight relative to each other: under uniform
+/// acceleration in the time, under dv/dt = g - rate v in s = (1 - exp(-rate t)) / rate.  So a law
+/// with drag brings displacement() and velocity_change() and turns the s of pair_time() into t =
+/// -log1p(-rate s) / rate (never, for rate s >= 1); the pair time itself stays as it is.
+template <class S, class Law>
+Relative<S> relative_at_later_start(const Law& law, const Flight<S>& earlier, const S& elapsed,
+                                    const Flight<S>& later) {
+  return {(later.position - earlier.position) - law.displacement(earlier, elapsed),
+          (later.velocity - earlier.velocity) - law.velocity_change(earlier, elapsed)};
+}
+
+/// The same in free flight, which is most of all calls: one rounding less.
+template <class S>
+Relative<S> relative_at_later_start(const StraightLaw<S>&, const Flight<S>& earlier,
+                                    const S& elapsed, const Flight<S>& later) {
+  return {{multiply_add(S(-earlier.velocity.x), elapsed, later.position.x - earlier.position.x),
+           multiply_add(S(-earlier.velocity.y), elapsed, later.position.y - earlier.position.y)},
+          later.velocity - earlier.velocity};
+}
+
+}  // namespace carom::event
