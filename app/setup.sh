@@ -17,6 +17,7 @@ libgtest-dev       header:gtest/gtest.h
 librapidcheck-dev  header:rapidcheck.h
 libbenchmark-dev   header:benchmark/benchmark.h
 libvterm-dev       header:vterm.h
+libboost-dev       header:boost/multiprecision/cpp_bin_float.hpp
 mandoc             tool:mandoc
 clang-format-14    tool:clang-format-14
 '
