@@ -15,6 +15,7 @@ libfmt-dev         header:fmt/format.h
 test_packages='
 libgtest-dev       header:gtest/gtest.h
 librapidcheck-dev  header:rapidcheck.h
+libboost-dev       header:boost/multiprecision/cpp_bin_float.hpp
 libbenchmark-dev   header:benchmark/benchmark.h
 libvterm-dev       header:vterm.h
 libboost-dev       header:boost/multiprecision/cpp_bin_float.hpp
