@@ -6,10 +6,10 @@
 #include <random>
 #include <vector>
 
+#include "carom/free_place.hpp"
+
 namespace carom {
 namespace {
-
-constexpr int kTries = 2000;
 
 Ball model(const std::vector<Ball>& balls, const Box& box) {
   for (auto ball = balls.rbegin(); ball != balls.rend(); ++ball) {
@@ -31,18 +31,6 @@ double typical_speed(const std::vector<Ball>& balls, const Box& box) {
   return mean > 0 ? std::sqrt(mean) : box.width / 4;
 }
 
-bool is_free(const Ball& newcomer, const std::vector<Ball>& balls, const Box& box) {
-  return std::none_of(balls.begin(), balls.end(), [&](const Ball& ball) {
-    Vec2 apart = newcomer.position - ball.position;
-    for (int axis = 0; axis < 2; ++axis) {
-      const double size = box.size()[axis];
-      if (box.periodic[static_cast<std::size_t>(axis)])
-        apart[axis] -= size * std::round(apart[axis] / size);
-    }
-    return apart.norm() < newcomer.radius + ball.radius;
-  });
-}
-
 }  // namespace
 
 std::optional<Ball> newcomer(const Session& session, std::uint64_t number) {
@@ -53,13 +41,10 @@ std::optional<Ball> newcomer(const Session& session, std::uint64_t number) {
   const auto uniform = [&random] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
   const double angle = 2 * std::numbers::pi * uniform();
   ball.velocity = typical_speed(balls, box) * Vec2{std::cos(angle), std::sin(angle)};
-  const Vec2 room = box.size() - Vec2::Constant(2 * ball.radius);
-  for (int i = 0; i < kTries; ++i) {
-    ball.position = box.lower() + Vec2::Constant(ball.radius) +
-                    Vec2{room.x() * uniform(), room.y() * uniform()};
-    if (is_free(ball, balls, box)) return ball;
-  }
-  return std::nullopt;
+  const auto place = find_free_place(session.scene(), balls, ball.radius, number);
+  if (!place) return std::nullopt;
+  ball.position = *place;
+  return ball;
 }
 
 }  // namespace carom

@@ -7,6 +7,8 @@
 #include <sstream>
 
 #include "carom/footprint.hpp"
+#include "carom/simulation.hpp"
+#include "state/balls.hpp"
 
 namespace carom {
 namespace {
@@ -121,6 +123,21 @@ TEST(BuiltinScene, IsTheFileBreakJson) {
   EXPECT_EQ(builtin_scene().balls.size(), 16U);
 }
 
+TEST(Footprint, CountsTheBytesOfTheColumnsThatTheStateHas) {
+  const std::vector<Ball> balls = builtin_scene().balls;
+  const Balls state(balls);
+  const auto bytes = [](const Balls::Column& column) {
+    return static_cast<std::size_t>(column.size()) * sizeof(double);
+  };
+  const Footprint::Bytes expected{{"position", bytes(state.position[0]) + bytes(state.position[1])},
+                                  {"velocity", bytes(state.velocity[0]) + bytes(state.velocity[1])},
+                                  {"radius", bytes(state.radius)},
+                                  {"mass", bytes(state.mass)},
+                                  {"inverse_mass", bytes(state.inverse_mass)},
+                                  {"glyph", state.glyph.size()}};
+  EXPECT_EQ(footprint(builtin_scene(), balls).columns, expected);
+}
+
 TEST(Footprint, HasNoSpinWithoutFrictionAndNoPairsWithoutCollisions) {
   Scene scene = builtin_scene();
   const Footprint whole = footprint(scene, populate(scene));
@@ -140,6 +157,28 @@ TEST(Footprint, HasNoSpinWithoutFrictionAndNoPairsWithoutCollisions) {
   EXPECT_EQ(bare.pairs, 0U);
   EXPECT_EQ(bare.barriers,
             (std::vector<std::string>{"do_frame", "wall_computation", "frame_done"}));
+}
+
+TEST(Footprint, NamesTheBarriersOfTheCrewThatRuns) {
+  for (const char* effects :
+       {R"({"walls": {}, "collisions": {}})", R"({"walls": {}})", R"({"collisions": {}})", "{}"}) {
+    for (const char* count : {"3", "70"}) {
+      const Scene scene = parse_scene(std::string(R"({"box": {"width": 20, "height": 10},
+          "workers": 1, "fill": [{"radius": 0.1, "count": )") +
+                                          count + "}], \"effects\": " + effects + "}",
+                                      "scene");
+      std::vector<std::string> barriers = footprint(scene, populate(scene)).barriers;
+      std::vector<std::string> phases;
+      for (const auto& [name, seconds] : Simulation(scene).measure().phases) {
+        // Few balls have all their pairs cached once, and never search for neighbours.
+        if (name != "neighbour_search" || scene.fills[0].count == 70) phases.push_back(name);
+      }
+      std::erase_if(barriers, [](const std::string& name) {
+        return name == "do_frame" || name == "frame_done";
+      });
+      EXPECT_EQ(barriers, phases);
+    }
+  }
 }
 
 }  // namespace

@@ -24,10 +24,8 @@ std::int64_t to_cell(double index) {
   return static_cast<std::int64_t>(std::floor(std::clamp(index, -kFar, kFar)));
 }
 
-/// Cells of 2^exponent are at least as wide as a disk of this radius, and less than four times.
-int exponent_of(double radius) {
-  return std::ilogb(radius) + 2;
-}
+/// So much wider than its disks is a cell, that rounding moves no disk beyond the next cell.
+constexpr double kWider = 1 + 0x1p-10;
 
 std::int64_t wrapped(std::int64_t index, std::int64_t count) {
   const std::int64_t rest = index % count;
@@ -52,17 +50,13 @@ double overlap_depth(const Box& box, const Vec2& a, double radius_a, const Vec2&
   return depth > 0x1p-51 * coordinates ? depth : 0;
 }
 
-DiskGrid::Level DiskGrid::make_level(int exponent) const {
-  Level level;
-  level.exponent = exponent;
-  level.per_length = std::ldexp(1.0, -exponent);
+void DiskGrid::set_width(Level& level, double width) const {
+  level.per_length = 1 / width;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (!box_.periodic[axis]) continue;
     const double size = box_.size()[static_cast<Eigen::Index>(axis)];
     level.around[axis] = std::max<std::int64_t>(1, to_cell(size * level.per_length));
   }
-  level.buckets.assign(64, kNone);
-  return level;
 }
 
 DiskGrid::Cell DiskGrid::cell_of(const Level& level, const Vec2& position) const {
@@ -96,28 +90,37 @@ void DiskGrid::put_into_bucket(Level& level, std::uint32_t number) {
 }
 
 void DiskGrid::insert(const Vec2& position, double radius) {
-  const int exponent = exponent_of(radius);
+  const int exponent = std::ilogb(radius);
   auto level = std::find_if(levels_.begin(), levels_.end(),
                             [&](const Level& known) { return known.exponent == exponent; });
   if (level == levels_.end()) {
-    levels_.push_back(make_level(exponent));
+    levels_.emplace_back();
     level = levels_.end() - 1;
+    level->exponent = exponent;
+    level->largest = radius;
+    set_width(*level, 2 * radius * kWider);
+    level->buckets.assign(64, kNone);
+  } else if (radius > level->largest) {
+    // Once the first disk proves not to be the largest, the cells take all that can come.
+    level->largest = radius;
+    if (!level->widest) {
+      level->widest = true;
+      set_width(*level, std::ldexp(kWider, exponent + 2));
+      sort_anew(*level, level->buckets.size());
+    }
   }
   const auto number = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back({position, radius, cell_of(*level, position), kNone});
-  level->largest = std::max(level->largest, radius);
-  ++level->count;
-  if (level->count > level->buckets.size()) {
-    grow(*level);
-  } else {
-    put_into_bucket(*level, number);
-  }
+  put_into_bucket(*level, number);
+  if (++level->count > level->buckets.size()) sort_anew(*level, level->buckets.size() * 4);
 }
 
-void DiskGrid::grow(Level& level) {
-  level.buckets.assign(level.buckets.size() * 4, kNone);
+void DiskGrid::sort_anew(Level& level, std::size_t buckets) {
+  level.buckets.assign(buckets, kNone);
   for (std::uint32_t i = 0; i < disks_.size(); ++i) {
-    if (exponent_of(disks_[i].radius) == level.exponent) put_into_bucket(level, i);
+    if (std::ilogb(disks_[i].radius) != level.exponent) continue;
+    disks_[i].cell = cell_of(level, disks_[i].position);
+    put_into_bucket(level, i);
   }
 }
 
@@ -132,7 +135,7 @@ void DiskGrid::visit(const Vec2& position, double radius, Found found) const {
     if (reach > 1000 ||
         static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 1)) > 4 * level.count + 9) {
       for (std::uint32_t i = 0; i < disks_.size(); ++i) {
-        if (exponent_of(disks_[i].radius) == level.exponent && overlaps(i) && found(i)) return;
+        if (std::ilogb(disks_[i].radius) == level.exponent && overlaps(i) && found(i)) return;
       }
       continue;
     }
@@ -148,8 +151,9 @@ void DiskGrid::visit(const Vec2& position, double radius, Found found) const {
       for (std::int64_t x = cell_x - reach; x <= last_x; ++x) {
         const Cell at{around_x == 0 ? x : wrapped(x, around_x), at_y};
         for (std::uint32_t i = level.buckets[bucket(level, at)]; i != kNone; i = disks_[i].next) {
-          // Other cells may share the bucket.
-          if (disks_[i].cell == at && overlaps(i) && found(i)) return;
+          // Other cells may share the bucket.  (Compared one by one: == of arrays is a call.)
+          const bool here = disks_[i].cell[0] == at[0] && disks_[i].cell[1] == at[1];
+          if (here && overlaps(i) && found(i)) return;
         }
       }
     }

@@ -16,8 +16,8 @@ double overlap_depth(const Box& box, const Vec2& a, double radius_a, const Vec2&
                      double radius_b);
 
 /// Disks by place: finds those that a disk would overlap without looking at all of them.
-/// Disks of like size share a grid, its cells a power of two, so that scaling a scene by a power of
-/// two changes nothing.
+/// Disks of like size, to a power of two, share a grid with cells a little wider than they are.
+/// Scaling a scene by a power of two changes nothing.
 class DiskGrid {
  public:
   explicit DiskGrid(const Box& box) : box_(box) {}
@@ -41,19 +41,20 @@ class DiskGrid {
     std::uint32_t next = kNone;  // in the same bucket of its level
   };
   struct Level {
-    int exponent = 0;       // cells are 2^exponent wide, at least the diameter of its disks
-    double per_length = 0;  // 2^-exponent
+    int exponent = 0;                          // 2^exponent <= radius < 2^(exponent + 1)
+    double per_length = 0;                     // cells to a length
     std::array<std::int64_t, 2> around{0, 0};  // cells around a periodic axis; 0: not periodic
     double largest = 0;                        // radius
+    bool widest = false;                       // the cells take any disk of the level
     std::size_t count = 0;
     std::vector<std::uint32_t> buckets;
   };
 
   [[nodiscard]] Cell cell_of(const Level& level, const Vec2& position) const;
-  [[nodiscard]] Level make_level(int exponent) const;
+  void set_width(Level& level, double width) const;
   static std::size_t bucket(const Level& level, const Cell& cell);
   void put_into_bucket(Level& level, std::uint32_t number);
-  void grow(Level& level);
+  void sort_anew(Level& level, std::size_t buckets);
   /// Calls `found` for each overlapping disk until it returns true.
   template <class Found>
   void visit(const Vec2& position, double radius, Found found) const;
