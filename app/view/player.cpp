@@ -47,11 +47,10 @@ int Player::play() {
   pacer_.shown(interface_.now());
   while (!quit_ && !session_->quit()) {
     if (idle()) {
-      handle_events_until(interface_.now() + kForever);
+      handle(interface_.wait_until(interface_.now() + kForever));
       pacer_.restart(interface_.now());
-    } else {
-      handle_events_until(pacer_.due());
     }
+    handle_events_until(pacer_.due());
     if (quit_) break;
     compute();
     if (changed_) {
@@ -68,15 +67,13 @@ bool Player::idle() const {
   return session_->stuck() && single_ == 0 && !changed_;
 }
 
-/// Keys that are already there are all obeyed, but not for ever: a frame comes in between.
+/// A flood of keys waits for the frame that is due in between.
 void Player::handle_events_until(Instant due) {
-  const Instant latest = std::max(due, interface_.now()) + pacer_.period() / 4;
-  for (;;) {
+  while (!quit_) {
     const Event event = interface_.wait_until(due);
     if (event.kind == Event::Kind::none) return;
     handle(event);
-    if (quit_ || interface_.now() >= latest) return;
-    if (session_->paused()) due = std::min(due, interface_.now());
+    if (interface_.now() >= due + pacer_.period() / 4) return;
   }
 }
 
@@ -125,7 +122,7 @@ void Player::compute() {
     if (moves) slice_cost_ = std::max(0.9 * slice_cost_, Real(now - then).count() / slice);
   }
   computing_ = now - start;
-  changed_ = changed_ || moves || (!notice_.empty() && now >= notice_until_ && !idle());
+  changed_ = changed_ || moves;
 }
 
 void Player::show() {

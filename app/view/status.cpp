@@ -50,7 +50,7 @@ std::string status_line(const Status& status, int width) {
   const std::string pace = pace_text(status);
   const std::string short_pace =
       status.pace && !status.paused ? fmt::format("{:.2g}x", *status.pace) : pace;
-  const std::string short_name = status.scene.substr(0, 12);
+  const std::string short_name = status.scene.substr(0, 8);
   std::vector<Field> fields = {
       {{status.scene, short_name, ""}},
       {{counted(status.balls, "ball", "balls"), fmt::format("{}b", status.balls), ""}},
@@ -58,10 +58,10 @@ std::string status_line(const Status& status, int width) {
       {{fmt::format("{:.2f} s", status.time), fmt::format("{:.1f}s", status.time), ""}},
       {{pace, short_pace, ""}},
       {{fmt::format("{:.1f} fps", status.frames_per_second),
-        fmt::format("{:.0f}fps", status.frames_per_second), ""}},
-      {{fmt::format("{} late", status.late), fmt::format("{}late", status.late), ""}},
+        fmt::format("{:.0f} fps", status.frames_per_second), ""}},
+      {{fmt::format("{} late", status.late), fmt::format("{} late", status.late), ""}},
       {{fmt::format("{:.2f} ms", status.computing_milliseconds),
-        fmt::format("{:.1f}ms", status.computing_milliseconds), ""}},
+        fmt::format("{:.1f} ms", status.computing_milliseconds), ""}},
       {{"energy error " + error_text(status.energy_error, 1),
         "energy " + error_text(status.energy_error, 0), ""}},
   };

@@ -1,0 +1,282 @@
+#include "view/player.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "carom/scene_file.hpp"
+
+namespace carom {
+namespace {
+
+using std::chrono::duration;
+using std::chrono::duration_cast;
+using std::chrono::milliseconds;
+
+/// A stand-in for the terminal: its time passes only while the player waits, and as much more for
+/// each look at the clock as a test says; events come when the test says.
+class Stage : public UserInterface {
+ public:
+  struct Act {
+    double at = 0;
+    Event event;
+    std::chrono::seconds unseen{0};  ///< passes before the event is told
+  };
+  struct Shot {
+    double at = 0;
+    std::string text;  ///< line by line
+
+    [[nodiscard]] bool says(const std::string& words) const {
+      return text.find(words) != std::string::npos;
+    }
+  };
+
+  void key(double at, char key) { acts_.push_back({at, {Event::Kind::key, key}, {}}); }
+  void event(double at, Event event) { acts_.push_back({at, event, {}}); }
+  void stop(double at, std::chrono::seconds unseen) {
+    acts_.push_back({at, {Event::Kind::resumed, 0}, unseen});
+  }
+  void resize(double at, Size size) {
+    resizes_.push_back({at, size});
+    event(at, {Event::Kind::resized, 0});
+  }
+
+  [[nodiscard]] Size size() const override { return size_; }
+  void show(const Canvas& canvas) override {
+    Shot shot{seconds(), {}};
+    for (int row = 0; row < canvas.rows; ++row) {
+      for (int column = 0; column < canvas.columns; ++column)
+        shot.text += canvas.at(column, row).character;
+      shot.text += '\n';
+    }
+    shots.push_back(shot);
+    now_ += drawing;
+  }
+  Event wait_until(Instant deadline) override {
+    if (acts_.empty()) {
+      if (deadline - now_ > std::chrono::hours{1}) return {Event::Kind::ended, SIGTERM};
+      now_ = std::max(now_, deadline);
+      return {};
+    }
+    const Act act = acts_.front();
+    const Instant when = Instant{} + duration_cast<Instant::duration>(duration<double>(act.at));
+    if (when > deadline) {
+      now_ = std::max(now_, deadline);
+      return {};
+    }
+    acts_.pop_front();
+    now_ = std::max(now_, when) + act.unseen;
+    if (act.event.kind == Event::Kind::resized && !resizes_.empty()) {
+      size_ = resizes_.front().second;
+      resizes_.pop_front();
+    }
+    return act.event;
+  }
+  [[nodiscard]] Instant now() const override {
+    now_ += looking;
+    return now_;
+  }
+
+  [[nodiscard]] double seconds() const { return duration<double>(now_ - Instant{}).count(); }
+  [[nodiscard]] const Shot& at(double time) const {
+    return *std::prev(std::find_if(shots.begin() + 1, shots.end(),
+                                   [time](const Shot& shot) { return shot.at > time; }));
+  }
+
+  std::vector<Shot> shots;
+  milliseconds looking{0};
+  milliseconds drawing{0};
+
+ private:
+  std::deque<Act> acts_;
+  std::deque<std::pair<double, Size>> resizes_;
+  Size size_{80, 24};
+  mutable Instant now_;
+};
+
+Scene one_ball() {
+  Scene scene;
+  scene.name = "one";
+  scene.effects.walls.emplace();
+  scene.balls.push_back({{3, 5}, {2, 0}});
+  return scene;
+}
+
+TEST(Player, ShowsThirtyFramesASecondAtTheirTimes) {
+  Stage stage;
+  stage.key(1.99, 'q');
+  Player player(one_ball(), stage);
+  EXPECT_EQ(player.play(), 0);
+  ASSERT_EQ(stage.shots.size(), 60U);
+  for (std::size_t i = 0; i < stage.shots.size(); ++i)
+    EXPECT_NEAR(stage.shots[i].at, static_cast<double>(i) / 30, 1e-6);
+  EXPECT_NE(player.summary().find("60 frames, 0 late"), std::string::npos) << player.summary();
+  EXPECT_NE(stage.shots.front().text, stage.shots.back().text);
+}
+
+TEST(Player, CountsFramesGivenUpAsLateAndStaysOnTheBeat) {
+  Stage stage;
+  stage.drawing = milliseconds{50};  // more than one period, less than two
+  stage.key(1, 'q');
+  Player player(one_ball(), stage);
+  player.play();
+  for (std::size_t i = 1; i < stage.shots.size(); ++i)
+    EXPECT_NEAR(stage.shots[i].at - stage.shots[i - 1].at, 2.0 / 30, 1e-6);
+  EXPECT_TRUE(stage.shots.back().says(fmt::format(" {} late", stage.shots.size() - 1)))
+      << stage.shots.back().text;
+}
+
+TEST(Player, SlowsASimulationDownThatCannotKeepUpAndSaysSo) {
+  Stage stage;
+  stage.looking = milliseconds{6};  // what each step seems to take: eight do not fit into a frame
+  stage.key(3, 'p');
+  stage.key(3.1, 'q');
+  Player player(one_ball(), stage);
+  player.play();
+  EXPECT_TRUE(stage.at(2.9).says("x of real time")) << stage.at(2.9).text;
+  EXPECT_TRUE(stage.at(3.1).says("paused")) << "the key waits for no simulation";
+}
+
+TEST(Player, PausesGoesOnAndShowsSingleFrames) {
+  Stage stage;
+  stage.key(0.5, ' ');
+  stage.key(0.8, '.');
+  stage.key(1.0, '.');
+  stage.key(1.2, 'p');
+  stage.key(1.4, 'q');
+  Player player(one_ball(), stage);
+  player.play();
+  EXPECT_TRUE(stage.at(0.55).says("paused"));
+  EXPECT_TRUE(stage.at(0.55).says("0.50 s")) << stage.at(0.55).text;
+  EXPECT_TRUE(stage.at(0.75).says("0.50 s"));
+  EXPECT_TRUE(stage.at(0.9).says("0.53 s")) << stage.at(0.9).text;
+  EXPECT_TRUE(stage.at(1.1).says("0.57 s")) << stage.at(1.1).text;
+  EXPECT_TRUE(stage.at(1.39).says("0.7"));
+  EXPECT_FALSE(stage.at(1.39).says("paused"));
+}
+
+TEST(Player, DrawsNothingWhilePausedWithNothingToDo) {
+  Stage stage;
+  stage.key(0.5, ' ');
+  stage.key(100, 'q');
+  Player player(one_ball(), stage);
+  player.play();
+  EXPECT_LE(stage.shots.size(), 18U);
+}
+
+TEST(Player, ObeysTheScriptWhilePaused) {
+  Scene scene = one_ball();
+  scene.script = {{0.5, command::Pause{}}, {1, command::Resume{}}, {1.5, command::Quit{}}};
+  Stage stage;
+  Player player(scene, stage);
+  EXPECT_EQ(player.play(), 0);
+  EXPECT_NEAR(stage.seconds(), 1.5, 0.1);
+  EXPECT_TRUE(stage.at(0.9).says("paused"));
+  EXPECT_FALSE(stage.at(1.4).says("paused"));
+}
+
+TEST(Player, ChangesTheSpeedByTwo) {
+  Stage stage;
+  stage.key(0, '+');
+  stage.key(0, '+');
+  stage.key(1, '-');
+  stage.key(2, 'q');
+  Player player(one_ball(), stage);
+  player.play();
+  EXPECT_TRUE(stage.at(0.1).says("speed 4x"));
+  EXPECT_TRUE(stage.at(1.04).says("speed 2x"));
+  EXPECT_NE(player.summary().find("one: 6.0"), std::string::npos) << player.summary();
+}
+
+TEST(Player, RestartsFromTheBeginning) {
+  Stage stage;
+  stage.key(1, 'r');
+  stage.key(1.5, 'q');
+  Player player(one_ball(), stage);
+  player.play();
+  EXPECT_TRUE(stage.at(1.05).says("restarted"));
+  EXPECT_NE(player.summary().find("one: 0.5"), std::string::npos) << player.summary();
+}
+
+TEST(Player, EndsWithTheNumberOfTheSignal) {
+  Stage stage;
+  stage.event(0.2, {Event::Kind::ended, SIGTERM});
+  Player player(one_ball(), stage);
+  EXPECT_EQ(player.play(), SIGTERM);
+}
+
+TEST(Player, DoesNotCountTheTimeThatItWasStopped) {
+  Stage stage;
+  stage.stop(0.5, std::chrono::seconds{1000});
+  stage.key(1001.01, 'q');
+  Player player(one_ball(), stage);
+  player.play();
+  EXPECT_TRUE(stage.shots.back().says(" 0 late")) << stage.shots.back().text;
+  EXPECT_NE(player.summary().find("one: 1.0"), std::string::npos) << player.summary();
+}
+
+TEST(Player, SaysHowSmallIsTooSmallAndGoesOn) {
+  Stage stage;
+  stage.resize(0.2, {19, 8});
+  stage.resize(0.4, {1, 1});
+  stage.resize(0.6, {0, 0});
+  stage.resize(0.8, {20, 8});
+  stage.resize(1.0, {300, 100});
+  stage.key(1.2, 'q');
+  Player player(one_ball(), stage);
+  player.play();
+  EXPECT_TRUE(stage.at(0.3).says("too small"));
+  EXPECT_EQ(stage.at(0.5).text, "t\n");
+  EXPECT_EQ(stage.at(0.7).text, "");
+  EXPECT_FALSE(stage.at(0.9).says("too small"));
+  EXPECT_TRUE(stage.at(0.9).says("one")) << stage.at(0.9).text;
+  EXPECT_EQ(std::count(stage.at(1.1).text.begin(), stage.at(1.1).text.end(), '\n'), 100);
+}
+
+TEST(Player, TurnsThePagesOfTheHelpAndPutsItAway) {
+  for (const UserInterface::Size size : {UserInterface::Size{80, 24}, {20, 8}, {300, 100}}) {
+    Stage stage;
+    stage.resize(0, size);
+    for (int i = 1; i <= 8; ++i) stage.key(i, '?');
+    stage.key(9, 'q');
+    Player player(one_ball(), stage);
+    player.play();
+    std::string seen;
+    for (const Stage::Shot& shot : stage.shots) seen += shot.text;
+    for (const char* const words : {"space p", "one frame", "add a ball", "quit"})
+      EXPECT_NE(seen.find(std::string(words).substr(0, 8)), std::string::npos) << words;
+    EXPECT_NE(seen.find("help away"), std::string::npos);
+  }
+}
+
+TEST(Player, SaysThatAKeyIsNone) {
+  Stage stage;
+  stage.key(0.1, 'z');
+  stage.key(0.5, 0);
+  stage.key(0.9, 'q');
+  Player player(one_ball(), stage);
+  player.play();
+  EXPECT_TRUE(stage.at(0.2).says("'z' is no key here"));
+  EXPECT_TRUE(stage.at(0.6).says("that is no key here"));
+}
+
+TEST(Player, ShowsFramesUnderAFloodOfKeys) {
+  Stage stage;
+  stage.looking = milliseconds{1};
+  for (int i = 0; i < 2000; ++i) stage.key(0.1, '.');
+  stage.key(5, 'q');
+  Player player(one_ball(), stage);
+  player.play();
+  const auto during = std::count_if(stage.shots.begin(), stage.shots.end(), [](const auto& shot) {
+    return shot.at > 0.2 && shot.at < 1.2;
+  });
+  EXPECT_GE(during, 10);
+}
+
+}  // namespace
+}  // namespace carom

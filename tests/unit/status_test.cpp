@@ -1,0 +1,82 @@
+#include "view/status.hpp"
+
+#include <gtest/gtest.h>
+
+#include "view/keys.hpp"
+#include "view/meter.hpp"
+
+namespace carom {
+namespace {
+
+Status busy() {
+  Status status;
+  status.scene = "a gas of many balls";
+  status.balls = 1000;
+  status.workers = 1000;
+  status.time = 1234.56;
+  status.frames_per_second = 29.97;
+  status.computing_milliseconds = 12.34;
+  status.energy_error = -1.25e-13;
+  status.late = 17;
+  status.pace = 0.4;
+  return status;
+}
+
+TEST(StatusLine, SaysEverythingWhereThereIsRoom) {
+  EXPECT_EQ(status_line(busy(), 200),
+            " a gas of many balls  1000 balls  1000 workers  1234.56 s  0.4x of real time  30.0 fps"
+            "  17 late  12.34 ms  energy error -1.2e-13");
+}
+
+TEST(StatusLine, SaysEverythingAbbreviatedAtEightyColumns) {
+  const std::string line = status_line(busy(), 80);
+  for (const char* const part : {"a gas of", "1000", "1234.6", "0.4x", "30", "17", "12.3", "e-13"})
+    EXPECT_NE(line.find(part), std::string::npos) << part << " in " << line;
+}
+
+TEST(StatusLine, NeverIsWiderThanItsScreen) {
+  for (int width = -1; width < 160; ++width)
+    EXPECT_LE(static_cast<int>(status_line(busy(), width).size()), std::max(0, width));
+  EXPECT_NE(status_line(busy(), 20).find("1234.6s"), std::string::npos);
+}
+
+TEST(StatusLine, WritesSpeedsAsPeopleDo) {
+  EXPECT_EQ(speed_text(1), "1x");
+  EXPECT_EQ(speed_text(8), "8x");
+  EXPECT_EQ(speed_text(0.25), "1/4x");
+}
+
+TEST(KeyHints, NameEveryKeyThatIsOfUseAtEightyColumns) {
+  for (const bool paused : {false, true}) {
+    for (const bool gravity : {false, true}) {
+      if (paused && gravity) continue;
+      const std::string hints = key_hints(80, paused, gravity);
+      EXPECT_LE(hints.size(), 80U);
+      for (const char* const key : {"space", "aA", "x:", "r:", "+-", "[]", "?", "q:"})
+        EXPECT_NE(hints.find(key), std::string::npos) << key << " in " << hints;
+      EXPECT_EQ(hints.find("g:") != std::string::npos, gravity);
+    }
+  }
+}
+
+TEST(KeyHints, KeepTheWayOutLongest) {
+  EXPECT_EQ(key_hints(8, false, true), " q:quit");
+  for (int width = -1; width < 100; ++width)
+    EXPECT_LE(static_cast<int>(key_hints(width, true, true).size()), std::max(0, width));
+}
+
+TEST(Meter, TellsTheRateOfTheLastSecond) {
+  Meter meter;
+  EXPECT_FALSE(meter.pace());
+  EXPECT_EQ(meter.frames_per_second(), 0);
+  for (int i = 0; i < 100; ++i) {
+    meter.record(Instant{} + std::chrono::milliseconds{25 * i}, 0.01 * i,
+                 std::chrono::milliseconds{i < 50 ? 100 : 7});
+  }
+  EXPECT_NEAR(meter.frames_per_second(), 40, 1e-9);
+  EXPECT_NEAR(meter.computing_milliseconds(), 7, 1e-9);
+  EXPECT_NEAR(meter.pace().value_or(0), 0.4, 1e-9);
+}
+
+}  // namespace
+}  // namespace carom
