@@ -9,7 +9,7 @@
 #include "view/curses_screen.hpp"
 #include "view/player.hpp"
 #include "view/signals.hpp"
-#include "view/terminal_check.hpp"
+#include "view/terminal_info.hpp"
 
 namespace carom {
 namespace {

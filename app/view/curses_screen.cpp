@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "view/terminal_info.hpp"
+
 namespace carom {
 namespace {
 
@@ -34,6 +36,7 @@ class CursesScreen::Implementation {
     terminal_ = newterm(nullptr, stdout, stdin);
     if (terminal_ == nullptr) throw std::runtime_error("the terminal cannot be used");
     set_term(terminal_);
+    avoid_repetition();
     cbreak();
     noecho();
     nonl();

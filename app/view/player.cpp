@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "carom/scene_file.hpp"
 #include "view/keys.hpp"
 #include "view/newcomer.hpp"
 #include "view/paint.hpp"
@@ -251,9 +250,7 @@ void Player::obey(const Command& command, const std::string& notice) {
   try {
     session_->apply(command);
     say(notice);
-  } catch (const SceneError& refused) {
-    say(refused.problems().empty() ? refused.what() : refused.problems().front().message);
-  } catch (const std::invalid_argument& refused) {
+  } catch (const CommandError& refused) {
     say(refused.what());
   }
 }

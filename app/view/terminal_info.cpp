@@ -1,4 +1,4 @@
-#include "view/terminal_check.hpp"
+#include "view/terminal_info.hpp"
 
 #define NCURSES_NOMACROS
 #include <curses.h>
@@ -21,6 +21,10 @@ std::string terminal_problem() {
   if (!known) return std::string("TERM=") + name + " is not a terminal known here";
   if (!moves) return std::string("TERM=") + name + " cannot move its cursor";
   return {};
+}
+
+void avoid_repetition() {
+  repeat_char = nullptr;
 }
 
 }  // namespace carom

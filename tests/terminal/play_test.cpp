@@ -1,0 +1,244 @@
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <set>
+
+#include "scenes.hpp"
+#include "terminal.hpp"
+
+namespace carom::test {
+namespace {
+
+/// The simulated time that the status line shows; negative if there is none.
+double shown_time(const Terminal& terminal) {
+  const std::string text = terminal.text();
+  const auto unit = text.find(" s  ");
+  if (unit == std::string::npos) return -1;
+  const auto begin = text.rfind(' ', unit - 1);
+  return std::atof(text.substr(begin, unit - begin).c_str());
+}
+
+TEST(Play, ShowsTheBuiltInSceneMovingFrameByFrame) {
+  Terminal terminal(std::vector<std::string>{});
+  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  EXPECT_TRUE(terminal.alternate_screen());
+  EXPECT_FALSE(terminal.cursor_visible());
+  std::set<double> times;
+  std::set<std::string> pictures;
+  const auto start = std::chrono::steady_clock::now();
+  terminal.watch(std::chrono::milliseconds{1500}, [&] {
+    times.insert(shown_time(terminal));
+    pictures.insert(terminal.row(10) + terminal.row(11));
+  });
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  // Never more than thirty a second; how many fewer is the machine's affair.
+  EXPECT_LE(static_cast<double>(times.size()), 30 * elapsed.count() + 3);
+  EXPECT_GE(times.size(), 5U);
+  EXPECT_GE(pictures.size(), 3U);
+  terminal.type("q");
+  EXPECT_EQ(terminal.wait_for_end(), 0);
+  EXPECT_TRUE(terminal.given_back());
+  EXPECT_NE(terminal.text().find("carom: break: "), std::string::npos) << terminal.text();
+  EXPECT_NE(terminal.text().find(" late"), std::string::npos);
+}
+
+TEST(Play, DoesWhatEachKeySays) {
+  const SceneFile scene(kThreeBalls);
+  Terminal terminal({"play", scene.path()});
+  ASSERT_TRUE(terminal.wait_for(" 3 balls")) << terminal.text();
+  EXPECT_TRUE(terminal.shows("three"));
+
+  terminal.type("p");
+  ASSERT_TRUE(terminal.wait_for("paused")) << terminal.text();
+  const double stopped = shown_time(terminal);
+  terminal.type(".");
+  EXPECT_TRUE(terminal.wait([&](const Terminal& t) {
+    return shown_time(t) > stopped + 0.02 && t.shows("one frame");
+  })) << terminal.text();
+  EXPECT_LT(shown_time(terminal), stopped + 0.06);
+
+  terminal.type("a");
+  EXPECT_TRUE(terminal.wait_for(" 4 balls")) << terminal.text();
+  EXPECT_TRUE(terminal.wait_for("added a ball")) << terminal.text();
+  EXPECT_TRUE(terminal.shows(" 4 workers")) << terminal.text();
+  terminal.type("A");
+  EXPECT_TRUE(terminal.wait_for(" 14 balls")) << terminal.text();
+  EXPECT_TRUE(terminal.wait_for("added 10 balls")) << terminal.text();
+  terminal.type("x");
+  EXPECT_TRUE(terminal.wait_for(" 13 balls")) << terminal.text();
+  EXPECT_TRUE(terminal.wait_for("removed the newest ball")) << terminal.text();
+
+  terminal.type(" ");
+  EXPECT_TRUE(terminal.wait([&](const Terminal& t) {
+    return shown_time(t) > stopped + 0.1 && !t.shows("paused");
+  })) << terminal.text();
+  terminal.type("+");
+  EXPECT_TRUE(terminal.wait_for("speed 2x")) << terminal.text();
+  terminal.type("-");
+  EXPECT_TRUE(terminal.wait_for("speed 1x")) << terminal.text();
+  terminal.type("[");
+  EXPECT_TRUE(terminal.wait_for("step 1/480 s")) << terminal.text();
+  terminal.type("]");
+  EXPECT_TRUE(terminal.wait_for("step 1/240 s")) << terminal.text();
+  terminal.type("g");
+  EXPECT_TRUE(terminal.wait_for("gravity off")) << terminal.text();
+  terminal.type("g");
+  EXPECT_TRUE(terminal.wait_for("gravity on")) << terminal.text();
+  terminal.type("?");
+  EXPECT_TRUE(terminal.wait_for("start again from the beginning")) << terminal.text();
+  terminal.type("?");
+  EXPECT_TRUE(terminal.wait([](const Terminal& t) {
+    return !t.shows("start again from the beginning");
+  })) << terminal.text();
+  terminal.type("r");
+  EXPECT_TRUE(terminal.wait_for(" 3 balls")) << terminal.text();
+  EXPECT_TRUE(terminal.wait_for("restarted")) << terminal.text();
+  terminal.type("q");
+  EXPECT_EQ(terminal.wait_for_end(), 0);
+  EXPECT_TRUE(terminal.given_back());
+}
+
+TEST(Play, SaysThatASceneHasNoGravity) {
+  Terminal terminal(std::vector<std::string>{});
+  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  terminal.type("g");
+  EXPECT_TRUE(terminal.wait_for("this scene has no gravity")) << terminal.text();
+}
+
+TEST(Play, FollowsTheSizeOfTheScreen) {
+  const SceneFile scene(kThreeBalls);
+  Terminal terminal({scene.path()});
+  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  struct {
+    int columns;
+    int rows;
+  } const sizes[] = {{20, 8}, {300, 100}, {10, 3}, {40, 40}, {200, 10}, {1, 1}, {80, 24}};
+  for (const auto& size : sizes) {
+    terminal.resize(size.columns, size.rows);
+    const bool fits = size.columns >= 20 && size.rows >= 8;
+    EXPECT_TRUE(terminal.wait([&](const Terminal& t) {
+      if (!fits) return t.row(0)[0] == 't';
+      // The box touches the edges one way or the other, and the status is in its row below.
+      const int box_rows = size.rows - (size.rows >= 12 ? 2 : 1);
+      const std::string middle = t.row(box_rows / 2);
+      const bool wide = middle.front() == '|' && middle.back() == '|';
+      const bool high = t.row(0).find("+-") != std::string::npos &&
+                        t.row(box_rows - 1).find("-+") != std::string::npos;
+      return (wide || high) && t.row(box_rows).find("s ") != std::string::npos &&
+             !t.shows("too small");
+    })) << size.columns
+        << 'x' << size.rows << '\n'
+        << terminal.text();
+  }
+  terminal.type("q");
+  EXPECT_EQ(terminal.wait_for_end(), 0);
+  EXPECT_TRUE(terminal.given_back());
+}
+
+TEST(Play, StopsAtTheStopKeyAndGoesOnWhereItWas) {
+  const SceneFile scene(kThreeBalls);
+  Terminal terminal({scene.path()});
+  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  for (int round = 0; round < 2; ++round) {
+    terminal.type("\x1A");  // ^Z
+    ASSERT_TRUE(terminal.wait_until_stopped());
+    terminal.watch(std::chrono::milliseconds{50}, [] {});
+    EXPECT_TRUE(terminal.given_back());
+    terminal.resize(70 + round, 22);
+    terminal.signal(SIGCONT);
+    EXPECT_TRUE(terminal.wait([](const Terminal& t) {
+      return t.alternate_screen() && !t.cursor_visible() &&
+             t.row(20).find(" s ") != std::string::npos;
+    })) << terminal.text();
+  }
+  terminal.type("q");
+  EXPECT_EQ(terminal.wait_for_end(), 0);
+  EXPECT_TRUE(terminal.given_back());
+}
+
+TEST(Play, DrawsAnewWhenItIsContinuedAfterAStopThatItCouldNotSee) {
+  const SceneFile scene(kThreeBalls);
+  Terminal terminal({scene.path()});
+  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  terminal.signal(SIGSTOP);
+  ASSERT_TRUE(terminal.wait_until_stopped());
+  const double before = shown_time(terminal);
+  terminal.resize(60, 20);
+  terminal.signal(SIGCONT);
+  EXPECT_TRUE(terminal.wait([&](const Terminal& t) {
+    return t.row(18).find(" s ") != std::string::npos && shown_time(t) > before;
+  })) << terminal.text();
+}
+
+class EndedBySignal : public testing::TestWithParam<int> {};
+
+TEST_P(EndedBySignal, GivesTheTerminalBackAndTellsTheSignal) {
+  const SceneFile scene(kThreeBalls);
+  Terminal terminal({scene.path()});
+  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  if (GetParam() == SIGINT) {
+    terminal.type("\x03");  // ^C
+  } else {
+    terminal.signal(GetParam());
+  }
+  EXPECT_EQ(terminal.wait_for_end(), 128 + GetParam());
+  EXPECT_TRUE(terminal.given_back()) << terminal.text();
+  EXPECT_EQ(terminal.shows("carom: three: "), GetParam() != SIGHUP) << terminal.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, EndedBySignal, testing::Values(SIGINT, SIGTERM, SIGHUP, SIGQUIT));
+
+TEST(Play, AnswersKeysAndSignalsWhilePaused) {
+  const SceneFile scene(kThreeBalls);
+  Terminal terminal({scene.path()});
+  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  terminal.type("p");
+  ASSERT_TRUE(terminal.wait_for("paused")) << terminal.text();
+  terminal.resize(100, 30);
+  EXPECT_TRUE(terminal.wait([](const Terminal& t) {
+    return t.row(28).find("paused") != std::string::npos;
+  })) << terminal.text();
+  terminal.signal(SIGTERM);
+  EXPECT_EQ(terminal.wait_for_end(), 128 + SIGTERM);
+  EXPECT_TRUE(terminal.given_back());
+}
+
+TEST(Play, ShowsColoursOnlyWhereTheyAreWanted) {
+  const SceneFile scene(kThreeBalls);
+  const std::string color = "38;5;";
+  {
+    Terminal terminal({scene.path()});
+    ASSERT_TRUE(terminal.wait_for("fps"));
+    EXPECT_NE(terminal.output().find(color), std::string::npos);
+  }
+  {
+    Terminal terminal({"--no-color", scene.path()});
+    ASSERT_TRUE(terminal.wait_for("fps"));
+    EXPECT_EQ(terminal.output().find(color), std::string::npos);
+  }
+  Terminal::Settings refused;
+  refused.environment.emplace_back("NO_COLOR=1");
+  Terminal terminal({scene.path()}, refused);
+  ASSERT_TRUE(terminal.wait_for("fps"));
+  EXPECT_EQ(terminal.output().find(color), std::string::npos);
+}
+
+TEST(Play, WritesPlainAsciiWhereverItRuns) {
+  std::string named = kThreeBalls;
+  named.replace(named.find("three"), 5, "d\xC3\xA9j\xC3\xA0");
+  const SceneFile scene(named);
+  for (const char* const language : {"LANG=C", "LANG=C.UTF-8"}) {
+    Terminal::Settings settings;
+    settings.environment = {"TERM=xterm", language};
+    Terminal terminal({scene.path()}, settings);
+    ASSERT_TRUE(terminal.wait_for("d?j?")) << terminal.text();
+    terminal.type("q");
+    EXPECT_EQ(terminal.wait_for_end(), 0);
+    const auto left = terminal.output().find("\x1B[?1049l");
+    ASSERT_NE(left, std::string::npos);
+    for (const char byte : terminal.output().substr(0, left)) EXPECT_GE(byte, 0);
+  }
+}
+
+}  // namespace
+}  // namespace carom::test
