@@ -12,19 +12,11 @@ namespace {
 int obey(const carom::Options& options) {
   switch (options.command) {
     case carom::Options::Command::play:
-#ifdef carom_no_play
-      throw carom::UsageError("play is not available in this version");
-#else
       return carom::play(options);
-#endif
     case carom::Options::Command::run:
       return carom::run(options);
     case carom::Options::Command::check:
-#ifdef carom_no_check
-      throw carom::UsageError("check is not available in this version");
-#else
       return carom::check(options);
-#endif
     case carom::Options::Command::print:
       carom::print(options.text);
       return 0;

@@ -6,7 +6,7 @@ namespace carom {
 namespace {
 
 std::string row(const std::string& name, const std::string& value) {
-  return fmt::format("  {:<18}{}\n", name, value);
+  return fmt::format("  {:<27}{}\n", name, value);
 }
 
 std::string end_of(const Report& report) {
