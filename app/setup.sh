@@ -18,7 +18,6 @@ librapidcheck-dev  header:rapidcheck.h
 libboost-dev       header:boost/multiprecision/cpp_bin_float.hpp
 libbenchmark-dev   header:benchmark/benchmark.h
 libvterm-dev       header:vterm.h
-libboost-dev       header:boost/multiprecision/cpp_bin_float.hpp
 mandoc             tool:mandoc
 clang-format-14    tool:clang-format-14
 '

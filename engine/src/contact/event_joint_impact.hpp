@@ -1,0 +1,310 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/event_impulse.hpp"
+#include "contact/event_nonnegative_impulses.hpp"
+
+namespace carom::event {
+
+/// What resolving one instant took.
+struct JointReport {
+  int rounds = 0;    ///< generalised reflections
+  int impacts = 0;   ///< contacts that carried an impulse in them, counted every time
+  int settling = 0;  ///< rounds for approaches that are rounding only
+  int locked = 0;    ///< bodies that had to be given a common velocity: the last resort
+};
+
+/// What a group may cost in one instant before the rest of it is taken inelastically, in contacts
+/// times rounds.  A ball between a wall and one M times as heavy needs pi sqrt(M) rounds, so
+/// without losses this is reached for M beyond 1e8, or where balls are wedged in between walls and
+/// bounce for ever in no time at all.
+inline constexpr double kMostWork = 1 << 16;
+
+/// All impacts of one instant in a group of touching balls, walls and fixed balls, resolved
+/// together.
+///
+/// Rule:    All contacts that approach are reflected at once: the least impulses >= 0 that stop
+/// their approach, times
+///          1 + e; again until nothing approaches.  A contact alone is a pair impact to the last
+///          bit, so a cradle passes exactly as many balls on as come in; a corner reverses a ball
+///          exactly.  In a set of contacts that share a ball the smallest of their restitutions
+///          holds (different ones could make energy).
+/// Ends:    A set of contacts reflects along its common impulse, whose length is set by the energy:
+/// e = 1 keeps
+///          the energy to rounding, below 1 it falls.  A group that can come apart does so after
+///          finitely many rounds (Vouga et al. 2017); with e < 1 only in the limit, so after 8 (8 +
+///          contacts) / (1 - e) rounds, or kMostWork, the rest is one inelastic impact of all
+///          contacts. Approaches within 64 u of the speeds the two had in this instant are
+///          rounding: they are nudged apart by the least impulses, until no contact approaches in
+///          the bits pair_time() looks at.  Wedged balls cannot do that: what still approaches is
+///          locked to one velocity with its momentum, and reported.
+/// Holds:   numbering, sides, mirrors and swapped axes leave the bits as they are: every contact
+/// sees the same old
+///          velocities, every sum is rounded once.  Momentum of free groups to rounding.
+/// Source:  Smith, Kaufman, Vouga, Tamstorf, Grinspun, Reflections on simultaneous impact, ACM TOG
+/// 31 (2012) 106;
+///          Vouga, Smith, Kaufman, Tamstorf, Grinspun, All's well that ends well, ACM TOG 36 (2017)
+///          151.
+template <class S>
+class JointImpact {
+ public:
+  JointImpact(std::span<Body<S>> bodies, std::span<const Contact<S>> contacts)
+      : bodies_(bodies), graph_(bodies, contacts), velocity_(bodies.size()), peak_(bodies.size()) {
+    for (std::size_t k = 0; k < bodies.size(); ++k) velocity_[k] = bodies[k].velocity;
+    note_peaks();
+  }
+
+  JointReport resolve() {
+    while (const auto approaching = choose(true)) {
+      if (report_.rounds == most_rounds()) {
+        stop_everything();
+        break;
+      }
+      ++report_.rounds;
+      reflect(*approaching, false);
+      note_peaks();
+    }
+    settle();
+    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].velocity = velocity_[k];
+    return report_;
+  }
+
+ private:
+  using Chosen = std::vector<char>;
+
+  static std::size_t index(int body) { return static_cast<std::size_t>(body); }
+
+  Vec<S> velocity(int body) const {
+    return body == kWall ? Vec<S>{S(0), S(0)} : velocity_[index(body)];
+  }
+
+  int most_rounds() const {
+    S e = 0;
+    for (std::size_t k = 0; k < graph_.size(); ++k) e = larger(e, graph_.contact(k).restitution);
+    const double contacts = static_cast<double>(graph_.size());
+    const double loss = static_cast<double>(S(1 - e));
+    const double most = kMostWork / contacts;
+    const double lossy = 8 * (8 + contacts);
+    return static_cast<int>(lossy < most * loss ? lossy / loss : most);
+  }
+
+  void note_peaks() {
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      const Vec<S>& v = velocity_[k];
+      peak_[k] = larger(peak_[k], larger(absolute(v.x), absolute(v.y)));
+    }
+  }
+
+  /// Contacts that approach, by more than rounding if so asked; nothing, if there are none.
+  std::optional<Chosen> choose(bool beyond_rounding) const {
+    const S noise = 64 * std::numeric_limits<S>::epsilon();
+    Chosen chosen(graph_.size(), 0);
+    bool any = false;
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      const Contact<S>& c = graph_.contact(k);
+      if (!(graph_.mobility(k) > 0)) continue;
+      if (!(sharp_dot(c.r, velocity(c.b) - velocity(c.a)) < 0)) continue;
+      if (beyond_rounding) {
+        const S peak = peak_[index(c.a)] + (c.b == kWall ? S(0) : peak_[index(c.b)]);
+        if (!(graph_.parting(k, velocity_) < -noise * peak)) continue;
+      }
+      chosen[k] = 1;
+      any = true;
+    }
+    return any ? std::optional(chosen) : std::nullopt;
+  }
+
+  /// lossless: as if every restitution were 1.
+  void reflect(const Chosen& chosen, bool lossless) {
+    const std::vector<std::size_t> set = graph_.coupled_sets(chosen);
+    std::vector<int> members(graph_.size(), 0);
+    for (std::size_t k = 0; k < graph_.size(); ++k) members[set[k]] += chosen[k];
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      if (members[k] == 1) {
+        for (std::size_t m = 0; m < graph_.size(); ++m) {
+          if (chosen[m] && set[m] == k) reflect_alone(m, lossless);
+        }
+      } else if (members[k] > 1) {
+        Chosen together(graph_.size(), 0);
+        for (std::size_t m = 0; m < graph_.size(); ++m) together[m] = chosen[m] && set[m] == k;
+        reflect_together(together, lossless);
+      }
+    }
+  }
+
+  void reflect_alone(std::size_t k, bool lossless) {
+    const Contact<S>& c = graph_.contact(k);
+    const S e = lossless ? S(1) : c.restitution;
+    if (!lossless) ++report_.impacts;
+    if (c.b == kWall) {
+      Vec<S>& v = velocity_[index(c.a)];
+      S& component = c.r.x != 0 ? v.x : v.y;
+      component = wall_impact(component, e);
+      return;
+    }
+    const auto after = pair_impact(c.r, velocity(c.a), velocity(c.b), graph_.inverse_mass(c.a),
+                                   graph_.inverse_mass(c.b), e);
+    velocity_[index(c.a)] = after.a;
+    velocity_[index(c.b)] = after.b;
+  }
+
+  /// One reflection along the set's common impulse P: v + (1 + e) k P / m with k = -P.v / P.P/m, by
+  /// which the energy is kept (e = 1) however P was rounded.
+  void reflect_together(const Chosen& together, bool lossless) {
+    const std::vector<S> impulses = nonnegative_impulses(graph_, partings(), together);
+    S restitution = 1;
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      if (!(impulses[k] > 0) || lossless) continue;
+      ++report_.impacts;
+      const S& e = graph_.contact(k).restitution;
+      if (e < restitution) restitution = e;
+    }
+    apply(impulses, 1 + restitution);
+  }
+
+  void apply(const std::vector<S>& impulses, const S& times) {
+    const std::vector<Vec<S>> totals = graph_.totals(impulses);
+    ExactSum<S> toward;
+    ExactSum<S> size;
+    for (std::size_t k = 0; k < totals.size(); ++k) {
+      const Vec<S>& p = totals[k];
+      const S& m = bodies_[k].inverse_mass;
+      if (m == 0) continue;
+      toward.add(p.x * velocity_[k].x);
+      toward.add(p.y * velocity_[k].y);
+      size.add(m * p.x * p.x);
+      size.add(m * p.y * p.y);
+    }
+    const S needed = size.rounded();
+    if (!(needed > 0)) return;
+    const S factor = times * (toward.rounded() / needed);
+    for (std::size_t k = 0; k < totals.size(); ++k) {
+      velocity_[k] = less(velocity_[k], S(factor * bodies_[k].inverse_mass), totals[k]);
+    }
+  }
+
+  std::vector<S> partings() const {
+    std::vector<S> result(graph_.size());
+    for (std::size_t k = 0; k < graph_.size(); ++k) result[k] = graph_.parting(k, velocity_);
+    return result;
+  }
+
+  /// One inelastic impact of all contacts, also of those that would approach only through it.
+  void stop_everything() {
+    Chosen all(graph_.size(), 0);
+    for (std::size_t k = 0; k < graph_.size(); ++k) all[k] = graph_.mobility(k) > 0 ? 1 : 0;
+    apply(nonnegative_impulses(graph_, partings(), all), S(1));
+  }
+
+  void settle() {
+    S units = 2;
+    while (choose(false)) {
+      if (report_.settling == 12) {
+        lock();
+        return;
+      }
+      ++report_.settling;
+      if (!nudge(units)) reflect(*choose(false), true);
+      units = units * 2;
+    }
+  }
+
+  /// The least impulses after which every contact parts by so many units of rounding of the speeds
+  /// its two had; false, and nothing is done, if rounding is not all they would change.
+  bool nudge(const S& units) {
+    const S u = std::numeric_limits<S>::epsilon();
+    std::vector<S> parting = partings();
+    Chosen all(graph_.size(), 0);
+    S fastest = 0;
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      const Contact<S>& c = graph_.contact(k);
+      const S peak = peak_[index(c.a)] + (c.b == kWall ? S(0) : peak_[index(c.b)]);
+      parting[k] = parting[k] - units * u * peak;
+      all[k] = graph_.mobility(k) > 0 ? 1 : 0;
+      fastest = larger(fastest, peak);
+    }
+    const std::vector<Vec<S>> totals = graph_.totals(nonnegative_impulses(graph_, parting, all));
+    std::vector<Vec<S>> nudged = velocity_;
+    const S most = 1048576 * u * fastest;
+    for (std::size_t k = 0; k < totals.size(); ++k) {
+      nudged[k] = less(velocity_[k], S(-bodies_[k].inverse_mass), totals[k]);
+      const Vec<S> change = nudged[k] - velocity_[k];
+      if (!(absolute(change.x) < most && absolute(change.y) < most)) return false;
+    }
+    velocity_ = nudged;
+    return true;
+  }
+
+  /// Balls that approach are given one velocity and stay one body, until nothing approaches.
+  void lock() {
+    std::vector<std::size_t> one(bodies_.size());
+    for (std::size_t k = 0; k < one.size(); ++k) one[k] = k;
+    const auto find = [&](std::size_t k) {
+      while (one[k] != k) k = one[k];
+      return k;
+    };
+    std::vector<char> x_held(bodies_.size(), 0);
+    std::vector<char> y_held(bodies_.size(), 0);
+    while (const auto approaching = choose(false)) {
+      for (std::size_t k = 0; k < graph_.size(); ++k) {
+        if (!(*approaching)[k]) continue;
+        const Contact<S>& c = graph_.contact(k);
+        if (c.b == kWall) {
+          (c.r.x != 0 ? x_held : y_held)[index(c.a)] = 1;
+        } else {
+          one[find(index(c.a))] = find(index(c.b));
+        }
+      }
+      give_common_velocities(one, find, x_held, y_held);
+    }
+  }
+
+  template <class Find>
+  void give_common_velocities(const std::vector<std::size_t>& one, const Find& find,
+                              const std::vector<char>& x_held, const std::vector<char>& y_held) {
+    report_.locked = 0;
+    for (std::size_t root_body = 0; root_body < one.size(); ++root_body) {
+      ExactSum<S> mass;
+      ExactSum<S> x;
+      ExactSum<S> y;
+      bool stop_x = false;
+      bool stop_y = false;
+      int count = 0;
+      for (std::size_t k = 0; k < one.size(); ++k) {
+        if (find(k) != root_body) continue;
+        ++count;
+        const S& inverse = bodies_[k].inverse_mass;
+        stop_x = stop_x || x_held[k] || inverse == 0;
+        stop_y = stop_y || y_held[k] || inverse == 0;
+        if (inverse == 0) continue;
+        mass.add(1 / inverse);
+        x.add(velocity_[k].x / inverse);
+        y.add(velocity_[k].y / inverse);
+      }
+      if (count < 2 && !stop_x && !stop_y) continue;
+      report_.locked += count;
+      const S total = mass.rounded();
+      for (std::size_t k = 0; k < one.size(); ++k) {
+        if (find(k) != root_body || bodies_[k].inverse_mass == 0) continue;
+        velocity_[k] = {stop_x ? S(0) : S(x.rounded() / total),
+                        stop_y ? S(0) : S(y.rounded() / total)};
+      }
+    }
+  }
+
+  std::span<Body<S>> bodies_;
+  ContactGraph<S> graph_;
+  std::vector<Vec<S>> velocity_;
+  std::vector<S> peak_;
+  JointReport report_;
+};
+
+template <class S>
+JointReport joint_impact(std::span<Body<S>> bodies, std::span<const Contact<S>> contacts) {
+  return JointImpact<S>(bodies, contacts).resolve();
+}
+
+}  // namespace carom::event
