@@ -153,7 +153,7 @@ class CursesScreen::Implementation {
     if (cell.ink == Ink::notice || cell.ink == Ink::fixed) look |= A_BOLD;
     if (cell.ink == Ink::open) look |= A_DIM;
     if (!colors_ || cell.ink == Ink::none) return look;
-    if (cell.ink != Ink::ball) return look | COLOR_PAIR(pair_of(cell.ink));
+    if (cell.ink != Ink::ball) return look | static_cast<chtype>(COLOR_PAIR(pair_of(cell.ink)));
     const auto level = static_cast<std::size_t>(cell.heat * static_cast<float>(kHeat8.size()));
     const int step = static_cast<int>(std::min(level, kHeat8.size() - 1));
     if (COLORS < 256) look |= A_BOLD;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <random>
 #include <vector>
 
 #include "carom/free_place.hpp"
@@ -11,16 +9,18 @@
 namespace carom {
 namespace {
 
+constexpr double golden_angle = 2.399963229728653;  // spreads any number of directions evenly
+
 Ball model(const std::vector<Ball>& balls, const Box& box) {
-  for (auto ball = balls.rbegin(); ball != balls.rend(); ++ball) {
-    if (ball->fixed) continue;
-    Ball like;
-    like.radius = ball->radius;
-    like.mass = ball->mass;
-    return like;
-  }
   Ball like;
-  like.radius = std::min(box.width, box.height) / 20;
+  const auto newest =
+      std::find_if(balls.rbegin(), balls.rend(), [](const Ball& ball) { return !ball.fixed; });
+  if (newest == balls.rend()) {
+    like.radius = std::min(box.width, box.height) / 20;
+  } else {
+    like.radius = newest->radius;
+    like.mass = newest->mass;
+  }
   return like;
 }
 
@@ -34,16 +34,14 @@ double typical_speed(const std::vector<Ball>& balls, const Box& box) {
 }  // namespace
 
 std::optional<Ball> newcomer(const Session& session, std::uint64_t number) {
-  const Box& box = session.scene().box;
   const std::vector<Ball> balls = session.simulation().state();
-  Ball ball = model(balls, box);
-  std::mt19937_64 random(session.scene().seed + number);
-  const auto uniform = [&random] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
-  const double angle = 2 * std::numbers::pi * uniform();
-  ball.velocity = typical_speed(balls, box) * Vec2{std::cos(angle), std::sin(angle)};
+  Ball ball = model(balls, session.scene().box);
   const auto place = find_free_place(session.scene(), balls, ball.radius, number);
   if (!place) return std::nullopt;
   ball.position = *place;
+  const double angle = golden_angle * static_cast<double>(number + 1);
+  ball.velocity =
+      typical_speed(balls, session.scene().box) * Vec2{std::cos(angle), std::sin(angle)};
   return ball;
 }
 

@@ -257,11 +257,15 @@ void Player::obey(const Command& command, const std::string& notice) {
 
 void Player::add_balls(int count) {
   int placed = 0;
-  for (; placed < count; ++placed) {
-    const std::optional<Ball> ball = newcomer(*session_, added_);
-    if (!ball) break;
-    ++added_;
-    session_->apply(command::Add{*ball});
+  try {
+    for (; placed < count; ++placed) {
+      const std::optional<Ball> ball = newcomer(*session_, added_);
+      if (!ball) break;
+      ++added_;
+      session_->apply(command::Add{*ball});
+    }
+  } catch (const CommandError& refused) {
+    if (placed == 0) return say(refused.what());
   }
   if (placed == count) {
     say(count == 1 ? "added a ball" : fmt::format("added {} balls", count));
