@@ -10,6 +10,7 @@ Session::Session(Scene scene) : scene_(std::move(scene)), simulation_(scene_) {
   clock_ = scene_.continuation->clock;
   stood_still_ = clock_ - scene_.continuation->time;
   paused_ = scene_.continuation->paused;
+  while (next_line_ < scene_.script.size() && scene_.script[next_line_].at < clock_) ++next_line_;
 }
 
 void Session::advance_clock_to(double clock) {

@@ -35,59 +35,76 @@ void CellGrid::sort(const Balls& balls, const Domain& domain, double cell) {
     ++starts_[cell_[i] + 1];
   }
   for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
-  entries_.resize(n);
+  x_.resize(n);
+  y_.resize(n);
+  radius_.resize(n);
+  ball_.resize(n);
+  moves_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Eigen::Index k = Balls::index(i);
-    entries_[starts_[cell_[i]]++] = {balls.position[0][k], balls.position[1][k], balls.radius[k],
-                                     static_cast<std::int32_t>(i), balls.fixed(i)};
+    const std::size_t e = starts_[cell_[i]]++;
+    x_[e] = balls.position[0][k];
+    y_[e] = balls.position[1][k];
+    radius_[e] = balls.radius[k];
+    ball_[e] = static_cast<std::int32_t>(i);
+    moves_[e] = balls.fixed(i) ? 0 : 1;
   }
   for (std::size_t c = starts_.size() - 1; c > 0; --c) starts_[c] = starts_[c - 1];
   starts_[0] = 0;
 }
 
-void CellGrid::neighbours(const Balls& balls, const Domain& domain, std::size_t begin,
-                          std::size_t end, double skin, PairList& pairs) const {
+void CellGrid::neighbours(const Domain& domain, std::size_t begin, std::size_t end, double skin,
+                          PairList& pairs) const {
+  if (domain.period[0] > 0 || domain.period[1] > 0) {
+    search<true>(domain, begin, end, skin, pairs);
+  } else {
+    search<false>(domain, begin, end, skin, pairs);
+  }
+}
+
+template <bool kPeriodic>
+void CellGrid::search(const Domain& domain, std::size_t begin, std::size_t end, double skin,
+                      PairList& pairs) const {
   const std::size_t columns = cells_[0];
   const std::size_t rows = cells_[1];
-  for (std::size_t i = begin; i < end; ++i) {
-    const auto ball = static_cast<std::int32_t>(i);
-    const Vec2 at = balls.at(i);
-    const double radius = balls.radius[Balls::index(i)];
-    const bool fixed = balls.fixed(i);
-    const std::size_t first_of_ball = pairs.size();
-    const auto look = [&](std::size_t row, std::size_t from, std::size_t to) {
-      const std::uint32_t last = starts_[row * columns + to];
-      for (std::uint32_t e = starts_[row * columns + from]; e < last; ++e) {
-        const Entry& other = entries_[e];
-        const double dx = nearest_image(other.x - at.x(), domain.period[0]);
-        const double dy = nearest_image(other.y - at.y(), domain.period[1]);
-        const double reach = radius + other.radius;
-        if (other.ball <= ball || dx * dx + dy * dy >= (reach + skin) * (reach + skin)) continue;
-        if (!(fixed && other.fixed)) pairs.add(i, static_cast<std::size_t>(other.ball), reach);
+  const bool round_x = domain.period[0] > 0 && columns > 1;
+  const bool round_y = domain.period[1] > 0 && rows > 1;
+  // Entry e against the entries [from, to).  Whether a pair is taken is not a branch: half of them
+  // are, in no order that could be foreseen.
+  const auto look = [&](std::size_t e, std::size_t from, std::size_t to) {
+    pairs.make_room(to - from);
+    for (std::size_t f = from; f < to; ++f) {
+      double dx = x_[f] - x_[e];
+      double dy = y_[f] - y_[e];
+      if constexpr (kPeriodic) {
+        dx = nearest_image(dx, domain.period[0]);
+        dy = nearest_image(dy, domain.period[1]);
       }
-    };
-    const std::size_t column = cell_[i] % columns;
-    const std::size_t row = cell_[i] / columns;
-    const bool round_x = domain.period[0] > 0 && columns > 1;
-    const bool round_y = domain.period[1] > 0 && rows > 1;
-    for (int step = -1; step <= 1; ++step) {
-      if (rows == 1 && step != 0) continue;
-      std::size_t r = row + static_cast<std::size_t>(step);  // -1 becomes huge on purpose
-      if (r >= rows) {
-        if (!round_y) continue;
-        r = step < 0 ? rows - 1 : 0;
-      }
-      const std::size_t from = column > 0 ? column - 1 : 0;
-      const std::size_t to = std::min(column + 2, columns);
-      look(r, from, to);
-      if (round_x && column == 0) look(r, columns - 1, columns);
-      if (round_x && column + 1 == columns) look(r, 0, 1);
+      const double reach = radius_[e] + radius_[f];
+      const double far = reach + skin;
+      const bool near = dx * dx + dy * dy < far * far;
+      pairs.put(std::min(ball_[e], ball_[f]), std::max(ball_[e], ball_[f]), reach,
+                near && (moves_[e] | moves_[f]) != 0);
     }
-    // In order of the second ball: insertion, since there are few.
-    for (std::size_t k = first_of_ball + 1; k < pairs.size(); ++k) {
-      for (std::size_t m = k; m > first_of_ball && pairs.second[m] < pairs.second[m - 1]; --m) {
-        std::swap(pairs.second[m], pairs.second[m - 1]);
-        std::swap(pairs.reach[m], pairs.reach[m - 1]);
+  };
+  // Each cell looks at itself, the cell to the right and the three above.
+  for (std::size_t cell = begin; cell < end; ++cell) {
+    const std::size_t column = cell % columns;
+    const std::size_t row = cell / columns;
+    const bool last_column = column + 1 == columns;
+    const std::size_t right = starts_[cell + (last_column ? 1 : 2)];
+    const std::size_t above = row + 1 < rows ? row + 1 : 0;
+    const bool has_above = row + 1 < rows || round_y;
+    const std::size_t left_of = column > 0 ? column - 1 : 0;
+    const std::size_t right_of = last_column ? column : column + 1;
+    for (std::size_t e = starts_[cell]; e < starts_[cell + 1]; ++e) {
+      look(e, e + 1, right);
+      if (round_x && last_column) look(e, starts_[row * columns], starts_[row * columns + 1]);
+      if (!has_above) continue;
+      look(e, starts_[above * columns + left_of], starts_[above * columns + right_of + 1]);
+      if (round_x && last_column) look(e, starts_[above * columns], starts_[above * columns + 1]);
+      if (round_x && column == 0) {
+        look(e, starts_[above * columns + columns - 1], starts_[above * columns + columns]);
       }
     }
   }

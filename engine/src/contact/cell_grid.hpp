@@ -19,19 +19,18 @@ class CellGrid {
   /// Sorts the balls into cells at least `cell` wide.
   void sort(const Balls& balls, const Domain& domain, double cell);
 
-  /// Adds to `pairs` those of balls [begin, end) with a higher ball whose distance is less than the
-  /// sum of their radii and `skin`, in order.  REQUIRES: no such distance is above the cell's
-  /// width.
-  void neighbours(const Balls& balls, const Domain& domain, std::size_t begin, std::size_t end,
-                  double skin, PairList& pairs) const;
+  [[nodiscard]] std::size_t cells() const { return cells_[0] * cells_[1]; }
+
+  /// Adds to `pairs` those found from the cells [begin, end): two balls whose distance is less than
+  /// the sum of their radii and `skin`, one of which moves.  Every pair is found from one cell.
+  /// REQUIRES: no such distance is above the cell's width.
+  void neighbours(const Domain& domain, std::size_t begin, std::size_t end, double skin,
+                  PairList& pairs) const;
 
  private:
-  struct Entry {
-    double x, y, radius;
-    std::int32_t ball;
-    bool fixed;
-  };
-
+  template <bool kPeriodic>
+  void search(const Domain& domain, std::size_t begin, std::size_t end, double skin,
+              PairList& pairs) const;
   [[nodiscard]] std::size_t cell_of(std::size_t axis, double x) const;
 
   std::array<std::size_t, 2> cells_{1, 1};
@@ -39,7 +38,12 @@ class CellGrid {
   std::array<double, 2> per_length_{0, 0};  // cells per unit of length
   std::vector<std::uint32_t> starts_;       // by cell, row by row; one more at the end
   std::vector<std::uint32_t> cell_;         // by ball
-  std::vector<Entry> entries_;
+  // The balls, cell by cell.
+  std::vector<double> x_;
+  std::vector<double> y_;
+  std::vector<double> radius_;
+  std::vector<std::int32_t> ball_;
+  std::vector<std::uint8_t> moves_;
 };
 
 }  // namespace carom

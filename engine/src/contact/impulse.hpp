@@ -41,12 +41,13 @@ inline double impulse(double closing, double square, double inverse_masses, doub
   return -(1 + restitution) * closing / (square * inverse_masses);
 }
 
-/// Whether two balls approach: `closing` is v.r.  An approach so slow that rounding of the
-/// velocities makes it does not count.
-inline bool approaches(double closing, double square, const Vec2& v, const Vec2& w) {
-  constexpr double kRounding = 0x1p-94;  // (2^-47)^2
-  return closing < 0 &&
-         closing * closing > kRounding * square * (v.squaredNorm() + w.squaredNorm());
+/// Whether balls of velocities `v` and `w` approach along a line: `closing` is the relative
+/// velocity times `r`, `length` is |r|.  An approach so slow that rounding of the velocities makes
+/// it does not count.
+inline bool approaches(double closing, double length, const Vec2& v, const Vec2& w) {
+  constexpr double kRounding = 0x1p-47;
+  const double speeds = std::abs(v.x()) + std::abs(v.y()) + std::abs(w.x()) + std::abs(w.y());
+  return -closing > kRounding * length * speeds;
 }
 
 }  // namespace carom

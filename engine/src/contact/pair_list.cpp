@@ -5,9 +5,11 @@ namespace carom {
 PairList all_pairs(const Balls& balls) {
   PairList pairs;
   for (std::size_t i = 0; i < balls.size(); ++i) {
+    pairs.make_room(balls.size());
     for (std::size_t j = i + 1; j < balls.size(); ++j) {
-      if (balls.fixed(i) && balls.fixed(j)) continue;
-      pairs.add(i, j, balls.radius[Balls::index(i)] + balls.radius[Balls::index(j)]);
+      pairs.put(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j),
+                balls.radius[Balls::index(i)] + balls.radius[Balls::index(j)],
+                !(balls.fixed(i) && balls.fixed(j)));
     }
   }
   return pairs;

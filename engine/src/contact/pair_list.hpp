@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,26 +14,32 @@ struct Pair {
   std::uint32_t first = 0;
   std::uint32_t second = 0;
 
-  friend bool operator==(const Pair&, const Pair&) = default;
+  friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
 /// Pairs worth a look, column by column.
-/// Holds: sorted by first, then by second ball; `reach` is the sum of the two radii.
+/// Holds: `reach` is the sum of the two radii; beyond `count` the columns are spare room.
 struct PairList {
   std::vector<std::int32_t> first;
   std::vector<std::int32_t> second;
   std::vector<double> reach;
+  std::size_t count = 0;
 
-  [[nodiscard]] std::size_t size() const { return reach.size(); }
-  void clear() {
-    first.clear();
-    second.clear();
-    reach.clear();
+  void clear() { count = 0; }
+  /// Makes room for some pairs more.
+  void make_room(std::size_t pairs) {
+    if (count + pairs <= reach.size()) return;
+    const std::size_t size = 2 * (count + pairs);
+    first.resize(size);
+    second.resize(size);
+    reach.resize(size);
   }
-  void add(std::size_t i, std::size_t j, double sum_of_radii) {
-    first.push_back(static_cast<std::int32_t>(i));
-    second.push_back(static_cast<std::int32_t>(j));
-    reach.push_back(sum_of_radii);
+  /// Writes a pair into the room behind the last one; it counts if `taken`.
+  void put(std::int32_t i, std::int32_t j, double sum_of_radii, bool taken) {
+    first[count] = i;
+    second[count] = j;
+    reach[count] = sum_of_radii;
+    count += taken ? 1 : 0;
   }
 };
 

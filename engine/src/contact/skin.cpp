@@ -9,8 +9,8 @@ namespace carom {
 Skin choose_skin(const Balls& balls, const Domain& domain, double step) {
   // Measured costs of building the list for one ball, of one candidate met on the way, and of one
   // pair's test at one step, in units of the last.
-  constexpr double kBuild = 20;
-  constexpr double kCandidate = 1.5;
+  constexpr double kBuild = 11;
+  constexpr double kCandidate = 1;
   const auto n = static_cast<double>(balls.size());
   const double area = (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]);
   const double density = n / area;
@@ -33,7 +33,7 @@ Skin choose_skin(const Balls& balls, const Domain& domain, double step) {
     const double reach = diameter + skin;
     const double cell = widest + skin;
     const double pairs = density * 3.14 * reach * reach / 2;
-    const double candidates = density * 9 * cell * cell;
+    const double candidates = density * 4.5 * cell * cell;
     const double cost = pairs + (kBuild + kCandidate * candidates) / steps;
     if (cost < least) {
       least = cost;

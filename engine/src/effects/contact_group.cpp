@@ -117,7 +117,7 @@ bool ContactGroup::collide(const Contact& contact, const Domain& domain, const C
   Member& b = members[contact.b];
   const LineOfCentres& line = contact.line;
   const double closing = (b.velocity - a.velocity).dot(line.r);
-  if (!approaches(closing, line.square, a.velocity, b.velocity)) return false;
+  if (!approaches(closing, line.length, a.velocity, b.velocity)) return false;
   const bool bounces = -closing > rule.rest_speed * line.length;
   const double j =
       impulse(closing, line.square, contact.inverse_masses, bounces ? rule.restitution : 0);

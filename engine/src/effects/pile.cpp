@@ -68,7 +68,8 @@ void stop_on_ground(ContactGroup& group, const Domain& domain, const CollisionRu
       Member& upper = group.members[standing.upper];
       const double square = standing.contact->line.square;
       const double closing = (upper.velocity - lower.velocity).dot(standing.up);
-      if (!approaches(closing, square, upper.velocity, lower.velocity)) continue;
+      if (!approaches(closing, standing.contact->line.length, upper.velocity, lower.velocity))
+        continue;
       any = true;
       const bool sinking = (upper.velocity + lower.velocity).dot(standing.up) <= 0;
       if (lower.supported && upper.inverse_mass > 0 && sinking) {

@@ -74,7 +74,7 @@ std::size_t OverlapSolver::aim(double time) {
   const double due = (time - step_origin_ + std::abs(time) * kRounding) / step_;
   target_ = due > 0 ? static_cast<std::uint64_t>(due) : 0;
   if (target_ <= steps_) return Phase::kFrameDone;
-  if (effects_.collisions && !many() && all_pairs_.size() == 0) all_pairs_ = all_pairs(balls_);
+  if (effects_.collisions && !many() && all_pairs_.count == 0) all_pairs_ = all_pairs(balls_);
   return kFly;
 }
 
@@ -141,8 +141,8 @@ std::size_t OverlapSolver::after_flight() {
 void OverlapSolver::search(Share share) {
   PairList& pairs = desks_[share.index].neighbours;
   pairs.clear();
-  grid_.neighbours(balls_, domain_, share.begin(balls_.size()), share.end(balls_.size()),
-                   skin_ + near_, pairs);
+  grid_.neighbours(domain_, share.begin(grid_.cells()), share.end(grid_.cells()), skin_ + near_,
+                   pairs);
 }
 
 void OverlapSolver::detect(Share share) {
@@ -151,8 +151,8 @@ void OverlapSolver::detect(Share share) {
   desk.touching.clear();
   const bool listed = many();
   const PairList& pairs = listed ? desk.neighbours : all_pairs_;
-  const std::size_t begin = listed ? 0 : share.begin(pairs.size());
-  const std::size_t end = listed ? pairs.size() : share.end(pairs.size());
+  const std::size_t begin = listed ? 0 : share.begin(pairs.count);
+  const std::size_t end = listed ? pairs.count : share.end(pairs.count);
   const double deepest =
       find_touching(pairs, begin, end, balls_, domain_.period, rule_.stretch, desk.touching);
   desk.deepest = std::max(desk.deepest, deepest);
@@ -165,6 +165,11 @@ std::size_t OverlapSolver::after_detection() {
     touching_.insert(touching_.end(), desk.touching.begin(), desk.touching.end());
   }
   if (touching_.empty()) return end_step();
+  // The order in which pairs were found depends on the list; the order they are resolved in must
+  // not.
+  if (!std::is_sorted(touching_.begin(), touching_.end())) {
+    std::sort(touching_.begin(), touching_.end());
+  }
   groups_.sort(touching_, balls_.size());
   const bool share_out = groups_.pairs() >= kSharedPairs && desks_.size() > 1 &&
                          desks_.size() <= kFewWorkers && groups_.largest() * 2 < groups_.pairs();
