@@ -72,6 +72,7 @@ class Builder {
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& e) {
     position_ = position;
     error_ = e.what();
+    overflow_ = e.id == 406;
     return false;
   }
 
@@ -91,6 +92,12 @@ class Builder {
   [[nodiscard]] std::size_t ordinal() const { return ordinal_; }
   [[nodiscard]] std::size_t position() const { return position_; }
   [[nodiscard]] const std::string& error() const { return error_; }
+  /// What comes next is a value, and no key.
+  [[nodiscard]] bool at_value() const {
+    if (open_.empty() || open_.back()->kind == Value::Kind::list) return true;
+    return open_.back()->keys().size() > open_.back()->items().size();
+  }
+  [[nodiscard]] bool overflow() const { return overflow_; }  ///< of a number
   [[nodiscard]] bool too_deep() const { return too_deep_; }
   [[nodiscard]] const Value* innermost() const { return open_.empty() ? nullptr : open_.back(); }
 
@@ -164,6 +171,7 @@ class Builder {
   std::size_t ordinal_ = 0;
   std::size_t position_ = 0;
   std::string error_;
+  bool overflow_ = false;
   bool too_deep_ = false;
 };
 
@@ -254,8 +262,9 @@ Tree parse_tree(std::string_view text) {
     }
     const Token token = token_at(text, builder.position());
     const std::string word(text.substr(token.begin, token.end - token.begin));
-    const bool overflow = builder.error().find("out_of_range.406") != std::string::npos;
-    if (!word.empty() && (overflow || means_not_finite(word)) && refused.size() < kMostRefused) {
+    const bool overflow = builder.overflow();
+    if (!word.empty() && builder.at_value() && (overflow || means_not_finite(word)) &&
+        refused.size() < kMostRefused && !refused.contains(builder.ordinal())) {
       not_finite.push_back(
           {builder.ordinal(),
            {builder.pointer(), fmt::format("must be a finite number{}, got {} ({})",
