@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "contact/event_impulse.hpp"
+#include "contact/event_joint_impact.hpp"
 #include "contact/event_pair_time.hpp"
 #include "contact/event_peg_time.hpp"
 #include "contact/event_reactions.hpp"
 #include "contact/event_rest.hpp"
 #include "contact/event_wall_time.hpp"
+#include "support/random_numbers.hpp"
 
 namespace carom::event {
 namespace {
@@ -69,37 +71,86 @@ TEST(EventRest, BouncingThatLosesNothingNeverEnds) {
   EXPECT_TRUE(bounces_out(0.0, 9.81, 0.5, 1e-16));
 }
 
-TEST(EventRest, ThreeBallsInALineThatCollapseEndInFewEventsTogether) {
-  // below 7 - 4 sqrt(3) the middle ball goes to and fro for ever between the closing outer two
-  const double e = 0.05;
-  double x[] = {0, 1.5, 4};
-  double v[] = {1, 0, -1};
+/// Balls of radius 0.5 on a line, hit pair by pair, and jointly where they collapse.
+struct Line {
+  std::vector<double> x;
+  std::vector<double> v;
+  double e;
   double clock = 0;
-  double last[] = {-1, -1};
-  int events = 0;
-  for (;; ++events) {
-    ASSERT_LT(events, 1000);
-    double times[2];
-    for (int k = 0; k < 2; ++k) {
-      times[k] = pair_time<double>({x[k + 1] - x[k], 0}, {v[k + 1] - v[k], 0}, 1);
+  int impacts = 0;
+  int joint = 0;
+
+  void run() {
+    std::vector<double> last(x.size() - 1, -1);
+    while (impacts < 100000) {
+      double soonest = never<double>();
+      std::size_t hit = 0;
+      for (std::size_t k = 0; k + 1 < x.size(); ++k) {
+        const double t = pair_time<double>({x[k + 1] - x[k], 0}, {v[k + 1] - v[k], 0}, 1);
+        if (t >= soonest) continue;
+        soonest = t;
+        hit = k;
+      }
+      if (soonest == never<double>()) return;
+      for (std::size_t k = 0; k < x.size(); ++k) x[k] += v[k] * soonest;
+      clock += soonest;
+      ++impacts;
+      const bool again = last[hit] >= 0 && collapses(e, clock - last[hit], resolution_at(clock));
+      last[hit] = clock;
+      if (again) {
+        collapse(last);
+      } else {
+        const auto after =
+            pair_impact<double>({x[hit + 1] - x[hit], 0}, {v[hit], 0}, {v[hit + 1], 0}, 1, 1, e);
+        v[hit] = after.a.x;
+        v[hit + 1] = after.b.x;
+      }
     }
-    const int k = times[0] < times[1] ? 0 : 1;
-    if (times[k] == never<double>()) break;
-    for (int ball = 0; ball < 3; ++ball) x[ball] += v[ball] * times[k];
-    clock += times[k];
-    const double again =
-        last[k] < 0 ? e : restitution_again(e, clock - last[k], resolution_at(clock));
-    last[k] = clock;
-    const auto after =
-        pair_impact<double>({x[k + 1] - x[k], 0}, {v[k], 0}, {v[k + 1], 0}, 1, 1, again);
-    v[k] = after.a.x;
-    v[k + 1] = after.b.x;
   }
-  EXPECT_GT(events, 4);
-  EXPECT_NEAR(v[0] + v[1] + v[2], 0, 1e-15);
-  EXPECT_GT(x[1] - x[0], 1 - 1e-12);
-  EXPECT_GT(x[2] - x[1], 1 - 1e-12);
-  EXPECT_LT(x[2] - x[0], 2 + 1e-6);
+
+  void collapse(const std::vector<double>& last) {
+    ++joint;
+    Bodies bodies;
+    Contacts contacts;
+    for (const double speed : v) bodies.push_back({{speed, 0}, 1});
+    for (std::size_t k = 0; k < last.size(); ++k) {
+      if (last[k] < 0 || clock - last[k] > resolution_at(clock)) continue;
+      contacts.push_back({static_cast<int>(k), static_cast<int>(k) + 1, {x[k + 1] - x[k], 0}, 0});
+    }
+    joint_impact(std::span<Body<double>>(bodies), std::span<const Contact<double>>(contacts));
+    for (std::size_t k = 0; k < v.size(); ++k) v[k] = bodies[k].velocity.x;
+  }
+};
+
+TEST(EventRest, LinesOfBallsThatCollapseEndInFewImpactsWithTheirMomentum) {
+  test::RandomNumbers random(1);
+  for (const int n : {3, 4, 5, 6, 10, 20}) {
+    const double limit =
+        n == 3 ? 7 - 4 * std::sqrt(3.0) : std::pow(std::tan(std::atan(1.0) * (1 - 2.0 / n)), 2);
+    int collapsed = 0;
+    for (int sample = 0; sample < 20; ++sample) {
+      Line line{{}, {}, limit * random.between(0.05, 0.98)};
+      double place = 0;
+      double before = 0;
+      for (int k = 0; k < n; ++k) {
+        line.x.push_back(place);
+        place += 1 + random.between(0.01, 1);
+        line.v.push_back((2 * k < n ? 1 : -1) * random.between(0.5, 1));
+        before += line.v.back();
+      }
+      line.run();
+      EXPECT_LT(line.impacts, 400 * n) << n << " joint " << line.joint << " e " << line.e;
+      collapsed += line.joint > 0 ? 1 : 0;
+      double after = 0;
+      for (const double speed : line.v) after += speed;
+      EXPECT_NEAR(after, before, 1e-14 * n) << n;
+      for (int k = 0; k + 1 < n; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        EXPECT_GT(line.x[at + 1] - line.x[at], 1 - 1e-12);
+      }
+    }
+    EXPECT_GT(collapsed, 5) << n;
+  }
 }
 
 TEST(EventRest, AHopIsHitWithoutLossAndABounceWithIt) {

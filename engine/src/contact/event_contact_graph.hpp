@@ -28,9 +28,8 @@ struct Contact {
 };
 
 /// Who touches whom in a group, and what impulses along the contacts' normals do to its bodies.
-/// Holds:   every sum over contacts or bodies is rounded once, so the numbering of bodies and
-/// contacts, the sides
-///          a and b, mirrors and swapped axes leave the bits as they are.
+/// Holds: every sum over contacts or bodies is rounded once, so the numbering of bodies and
+/// contacts, the sides a and b, mirrors and swapped axes leave the bits as they are.
 template <class S>
 class ContactGraph {
  public:

@@ -8,8 +8,8 @@
 namespace carom::event {
 
 /// A sum rounded once, so that the order of its terms cannot be seen in its bits.
-/// Holds:   the running total as parts that do not overlap, growing in size; their sum is exact.
-/// Source:  Shewchuk, Discrete Comput. Geom. 18 (1997) 305, grow-expansion.
+/// Holds: the running total as parts that do not overlap, growing in size; their sum is exact.
+/// Source: Shewchuk, Discrete Comput. Geom. 18 (1997) 305, grow-expansion.
 template <class S>
 class ExactSum {
  public:

@@ -4,9 +4,9 @@
 
 namespace carom::event {
 
-/// Where a ball was and how fast it left when its last impact was over: between impacts this is all
-/// there is to know of it.  The time of the start is kept by the caller; only elapsed times come in
-/// here.
+/// Where a ball was and how fast it left when its last impact was over: between impacts this is
+/// all there is to know of it. The time of the start is kept by the caller; only elapsed times
+/// come in here.
 template <class S>
 struct Flight {
   Vec<S> position;
@@ -50,14 +50,14 @@ struct Relative {
   Vec<S> v;
 };
 
-/// The later starter as seen from the earlier one at the moment of the later start, `elapsed` >= 0
-/// after the earlier start. Whichever of two equal starters is called earlier, the result is the
-/// same but for its sign, to the last bit, and every function of a pair here is even in (r, v): so
-/// nothing depends on the order of the pair. Positions are subtracted before the displacement is,
-/// which is exact for balls near each other.
+/// The later starter as seen from the earlier one at the moment of the later start, `elapsed` >=
+/// 0 after the earlier start. Whichever of two equal starters is called earlier, the result is
+/// the same but for its sign, to the last bit, and every function of a pair here is even in (r,
+/// v): so nothing depends on the order of the pair. Positions are subtracted before the
+/// displacement is, which is exact for balls near each other.
 ///
 /// From here on two balls under the same law move straight relative to each other: under uniform
-/// acceleration in the time, under dv/dt = g - rate v in s = (1 - exp(-rate t)) / rate.  So a law
+/// acceleration in the time, under dv/dt = g - rate v in s = (1 - exp(-rate t)) / rate. So a law
 /// with drag brings displacement() and velocity_change() and turns the s of pair_time() into t =
 /// -log1p(-rate s) / rate (never, for rate s >= 1); the pair time itself stays as it is.
 template <class S, class Law>

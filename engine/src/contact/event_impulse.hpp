@@ -4,11 +4,11 @@
 
 namespace carom::event {
 
-/// The part of v along r, (v.r / r.r) r: what a frictionless impact can change.
-/// r need not be a unit vector and is never made one, so no rounding of a length enters the energy;
-/// in double one step of refinement leaves little more than the rounding of the result, and along
-/// an axis the result is v itself. The same bits, with their signs, for -r or -v, for mirrored x or
-/// y, and for x and y swapped.
+/// The part of v along r, (v.r / r.r) r: what a frictionless impact can change. r need not be a
+/// unit vector and is never made one, so no rounding of a length enters the energy; in double one
+/// step of refinement leaves little more than the rounding of the result, and along an axis the
+/// result is v itself. The same bits, with their signs, for -r or -v, for mirrored x or y, and
+/// for x and y swapped.
 template <class S>
 Vec<S> along(const Vec<S>& v, const Vec<S>& r) {
   const S rr = r.x * r.x + r.y * r.y;
@@ -44,16 +44,14 @@ Vec<S> less(const Vec<S>& v, const S& factor, const Vec<S>& part) {
   return {multiply_add(S(-factor), part.x, v.x), multiply_add(S(-factor), part.y, v.y)};
 }
 
-/// The impact of two disks: J = -(1 + e) (v_b - v_a).n / (1/m_a + 1/m_b) along n, r = n |r| from a
-/// to b. An inverse mass of 0 is a fixed ball; both 0, or balls that do not approach: nothing
+/// The impact of two disks: J = -(1 + e) (v_b - v_a).n / (1/m_a + 1/m_b) along n, r = n |r| from
+/// a to b. An inverse mass of 0 is a fixed ball; both 0, or balls that do not approach: nothing
 /// happens.
 ///
-/// Holds:   afterwards they do not approach, in the very bits that pair_time() looks at: where
-/// rounding
-///          swallows an impulse (balls that graze, or that fly together much faster than they
-///          approach) it is doubled until it shows, so that no impact happens twice. (b, a, -r)
-///          gives the same bits as (a, b, r); mirrors and swapped axes give mirrored and swapped
-///          bits.
+/// Holds: afterwards they do not approach, in the very bits that pair_time() looks at: where
+/// rounding swallows an impulse (balls that graze, or that fly together much faster than they
+/// approach) it is doubled until it shows, so that no impact happens twice. (b, a, -r) gives the
+/// same bits as (a, b, r); mirrors and swapped axes give mirrored and swapped bits.
 template <class S>
 Velocities<S> pair_impact(const Vec<S>& r, const Vec<S>& v_a, const Vec<S>& v_b,
                           const S& inverse_mass_a, const S& inverse_mass_b, const S& restitution) {

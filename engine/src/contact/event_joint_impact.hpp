@@ -18,36 +18,33 @@ struct JointReport {
 };
 
 /// What a group may cost in one instant before the rest of it is taken inelastically, in contacts
-/// times rounds.  A ball between a wall and one M times as heavy needs pi sqrt(M) rounds, so
-/// without losses this is reached for M beyond 1e8, or where balls are wedged in between walls and
-/// bounce for ever in no time at all.
+/// times rounds. A ball between a wall and one M times as heavy needs pi sqrt(M) rounds, so
+/// without losses this is reached for M beyond 1e8, or where balls are wedged in between walls
+/// and bounce for ever in no time at all.
 inline constexpr double kMostWork = 1 << 16;
 
 /// All impacts of one instant in a group of touching balls, walls and fixed balls, resolved
 /// together.
 ///
-/// Rule:    All contacts that approach are reflected at once: the least impulses >= 0 that stop
-/// their approach, times
-///          1 + e; again until nothing approaches.  A contact alone is a pair impact to the last
-///          bit, so a cradle passes exactly as many balls on as come in; a corner reverses a ball
-///          exactly.  In a set of contacts that share a ball the smallest of their restitutions
-///          holds (different ones could make energy).
-/// Ends:    A set of contacts reflects along its common impulse, whose length is set by the energy:
-/// e = 1 keeps
-///          the energy to rounding, below 1 it falls.  A group that can come apart does so after
-///          finitely many rounds (Vouga et al. 2017); with e < 1 only in the limit, so after 8 (8 +
-///          contacts) / (1 - e) rounds, or kMostWork, the rest is one inelastic impact of all
-///          contacts. Approaches within 64 u of the speeds the two had in this instant are
-///          rounding: they are nudged apart by the least impulses, until no contact approaches in
-///          the bits pair_time() looks at.  Wedged balls cannot do that: what still approaches is
-///          locked to one velocity with its momentum, and reported.
-/// Holds:   numbering, sides, mirrors and swapped axes leave the bits as they are: every contact
-/// sees the same old
-///          velocities, every sum is rounded once.  Momentum of free groups to rounding.
-/// Source:  Smith, Kaufman, Vouga, Tamstorf, Grinspun, Reflections on simultaneous impact, ACM TOG
-/// 31 (2012) 106;
-///          Vouga, Smith, Kaufman, Tamstorf, Grinspun, All's well that ends well, ACM TOG 36 (2017)
-///          151.
+/// Rule: All contacts that approach are reflected at once: the least impulses >= 0 that stop
+/// their approach, times 1 + e; again until nothing approaches. A contact alone is a pair impact
+/// to the last bit, so a cradle passes exactly as many balls on as come in; a corner reverses a
+/// ball exactly. In a set of contacts that share a ball the smallest of their restitutions holds
+/// (different ones could make energy). With e = 0 everywhere the whole is one inelastic impact, in
+/// which each contact may push, not only those that approach.
+/// Ends: A set of contacts reflects along its common impulse, whose length is set by the energy:
+/// e = 1 keeps the energy to rounding, below 1 it falls. A group that can come apart does so
+/// after finitely many rounds (Vouga et al. 2017); with e < 1 only in the limit, so after 8 (8 +
+/// contacts) / (1 - e) rounds, or kMostWork, the rest is one inelastic impact of all contacts.
+/// Approaches within 64 u of the speeds the two had in this instant are rounding: they are nudged
+/// apart by the least impulses, until no contact approaches in the bits pair_time() looks at.
+/// Wedged balls cannot do that: what still approaches is locked to one velocity with its
+/// momentum, and reported.
+/// Holds: numbering, sides, mirrors and swapped axes leave the bits as they are: every contact
+/// sees the same old velocities, every sum is rounded once. Momentum of free groups to rounding.
+/// Source: Smith, Kaufman, Vouga, Tamstorf, Grinspun, Reflections on simultaneous impact, ACM TOG
+/// 31 (2012) 106; Vouga, Smith, Kaufman, Tamstorf, Grinspun, All's well that ends well, ACM TOG
+/// 36 (2017) 151.
 template <class S>
 class JointImpact {
  public:
@@ -84,6 +81,7 @@ class JointImpact {
   int most_rounds() const {
     S e = 0;
     for (std::size_t k = 0; k < graph_.size(); ++k) e = larger(e, graph_.contact(k).restitution);
+    if (e == 0) return 0;
     const double contacts = static_cast<double>(graph_.size());
     const double loss = static_cast<double>(S(1 - e));
     const double most = kMostWork / contacts;
@@ -151,8 +149,8 @@ class JointImpact {
     velocity_[index(c.b)] = after.b;
   }
 
-  /// One reflection along the set's common impulse P: v + (1 + e) k P / m with k = -P.v / P.P/m, by
-  /// which the energy is kept (e = 1) however P was rounded.
+  /// One reflection along the set's common impulse P: v + (1 + e) k P / m with k = -P.v / P.P/m,
+  /// by which the energy is kept (e = 1) however P was rounded.
   void reflect_together(const Chosen& together, bool lossless) {
     const std::vector<S> impulses = nonnegative_impulses(graph_, partings(), together);
     S restitution = 1;
@@ -212,8 +210,8 @@ class JointImpact {
     }
   }
 
-  /// The least impulses after which every contact parts by so many units of rounding of the speeds
-  /// its two had; false, and nothing is done, if rounding is not all they would change.
+  /// The least impulses after which every contact parts by so many units of rounding of the
+  /// speeds its two had; false, and nothing is done, if rounding is not all they would change.
   bool nudge(const S& units) {
     const S u = std::numeric_limits<S>::epsilon();
     std::vector<S> parting = partings();

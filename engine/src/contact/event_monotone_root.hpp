@@ -11,10 +11,10 @@ struct Tangent {
   S slope;
 };
 
-/// The one root of a function that is monotone over [low, high] and has opposite signs at its ends:
-/// Newton's steps, halving where they leave the bracket or do not halve it; it ends when a step is
-/// at most `tolerance` of the root, or when nothing lies between the ends. Reads only values and
-/// slopes, so the result scales exactly with powers of two.
+/// The one root of a function that is monotone over [low, high] and has opposite signs at its
+/// ends: Newton's steps, halving where they leave the bracket or do not halve it; it ends when a
+/// step is at most `tolerance` of the root, or when nothing lies between the ends. Reads only
+/// values and slopes, so the result scales exactly with powers of two.
 template <class S, class Function>
 S monotone_root(const Function& tangent_at, S low, S high, bool rising, const S& tolerance,
                 S start) {

@@ -17,7 +17,7 @@ S product(const std::vector<S>& a, const std::vector<S>& b, const std::vector<ch
 }
 
 /// Impulses at the `active` contacts that bring their parting speeds from `parting` to zero:
-/// conjugate gradients, preconditioned by each contact's own mobility.  Where more contacts hold a
+/// conjugate gradients, preconditioned by each contact's own mobility. Where more contacts hold a
 /// body than it has freedoms, the equations are consistent all the same (parting comes from a
 /// motion) and the smallest solution is found.
 template <class S>
@@ -61,11 +61,11 @@ std::vector<S> stopping_impulses(const ContactGraph<S>& graph, const std::vector
 }
 
 /// The least impulses >= 0 at the `allowed` contacts after which none of them approaches: the
-/// solution of the linear complementarity problem  0 <= impulse  |  parting + response >= 0. All
-/// wrong signs are changed at once, so no contact is favoured; should that not end (it may go round
-/// in circles), what is negative is left out, and the remaining approach shows in the parting
-/// speeds. Source:  block principal pivoting, Portugal, Judice, Vicente, Math. Comput. 63 (1994)
-/// 625.
+/// solution of the linear complementarity problem 0 <= impulse | parting + response >= 0. All
+/// wrong signs are changed at once, so no contact is favoured; should that not end (it may go
+/// round in circles), what is negative is left out, and the remaining approach shows in the
+/// parting speeds. Source: block principal pivoting, Portugal, Judice, Vicente, Math. Comput. 63
+/// (1994) 625.
 template <class S>
 std::vector<S> nonnegative_impulses(const ContactGraph<S>& graph, const std::vector<S>& parting,
                                     const std::vector<char>& allowed) {

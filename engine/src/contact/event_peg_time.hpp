@@ -7,14 +7,16 @@
 namespace carom::event {
 
 /// A ball on its parabola as seen from a fixed ball, r + v t + g t^2 / 2, and the distance s of
-/// contact. gap() is |r(t)|^2 - s^2, a quartic; approach() is half its slope, the cubic r(t).v(t).
+/// contact. gap() is |r(t)|^2 - s^2, a quartic; approach() is half its slope, the cubic
+/// r(t).v(t).
 template <class S>
 class Parabola {
  public:
   using W = Wide<S>;
 
-  /// from_contact: the flight began at contact with this very ball, so the gap starts at 0 whatever
-  /// rounding did to r; the root that makes is divided out, and the shortest hop keeps its digits.
+  /// from_contact: the flight began at contact with this very ball, so the gap starts at 0
+  /// whatever rounding did to r; the root that makes is divided out, and the shortest hop keeps
+  /// its digits.
   Parabola(const Vec<S>& r, const Vec<S>& v, const Vec<S>& g, const S& s, bool from_contact)
       : r_(r),
         v_(v),
@@ -121,17 +123,16 @@ S gap_root(const Parabola<S>& path, const S& low, const S& high) {
   return monotone_root([&](const S& at) { return path.gap(at); }, low, high, false, u, rough);
 }
 
-/// When a ball under uniform acceleration g touches a fixed ball: r and v of the ball as seen from
-/// it. from_contact: this flight began with an impact of the two.
+/// When a ball under uniform acceleration g touches a fixed ball: r and v of the ball as seen
+/// from it. from_contact: this flight began with an impact of the two.
 ///
-/// Holds:   overlapping or touching and approaching is now (also approaching only by its
-/// acceleration: the case
-///          of event_rest.hpp); a ball that is still inside when it turns back is hit when it
-///          turns. No root is missed: the cubic r.v is monotone between the roots of its derivative
-///          (a quadratic), so each of its own roots is bracketed; the quartic is monotone between
-///          those, so its roots are, too; signs are taken in twice the digits, where a miss or a
-///          hit by 1e-28 of the squares still tells. Symmetries to the last bit as of pair_time().
-/// Error:   u of the time times its condition: the root is polished with residuals in twice the
+/// Holds: overlapping or touching and approaching is now (also approaching only by its
+/// acceleration: the case of event_rest.hpp); a ball that is still inside when it turns back is
+/// hit when it turns. No root is missed: the cubic r.v is monotone between the roots of its
+/// derivative (a quadratic), so each of its own roots is bracketed; the quartic is monotone
+/// between those, so its roots are, too; signs are taken in twice the digits, where a miss or a
+/// hit by 1e-28 of the squares still tells. Symmetries to the last bit as of pair_time().
+/// Error: u of the time times its condition: the root is polished with residuals in twice the
 /// digits.
 template <class S>
 S peg_time(const Vec<S>& r, const Vec<S>& v, const Vec<S>& g, const S& s,

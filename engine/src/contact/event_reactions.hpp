@@ -16,8 +16,8 @@ struct Reactions {
 
 /// The forces >= 0 at which no contact accelerates into itself and none pushes that opens: the
 /// least constraint (Gauss), as the linear complementarity problem of the contacts' normal
-/// accelerations.  Two disks that slide on each other bring the acceleration of their curvature,
-/// v_t^2 / |r|.  Fixed balls feel no gravity. Source:  Baraff, SIGGRAPH 1994, 23; Loetstedt, SIAM
+/// accelerations. Two disks that slide on each other bring the acceleration of their curvature,
+/// v_t^2 / |r|. Fixed balls feel no gravity. Source: Baraff, SIGGRAPH 1994, 23; Loetstedt, SIAM
 /// J. Appl. Math. 42 (1982) 281.
 template <class S>
 Reactions<S> reactions(std::span<const Body<S>> bodies, std::span<const Contact<S>> contacts,

@@ -45,7 +45,8 @@ S root(const S& a) {
   return sqrt(a);
 }
 
-/// a b + c rounded once in double; a wider scalar is rounded twice, far below what is asked of it.
+/// a b + c rounded once in double; a wider scalar is rounded twice, far below what is asked of
+/// it.
 template <class S>
 S multiply_add(const S& a, const S& b, const S& c) {
   if constexpr (kIsDouble<S>) {
@@ -80,8 +81,8 @@ inline Split<double> two_product(double a, double b) {
 }
 
 /// a b + c d to 2 u of itself however much of it cancels, with the same bits for (c, d, a, b).
-/// Source: Cornea, Harrison, Tang 2002; bound by Jeannerod, ACM TOMS 42 (2016) 19.  Kahan's shorter
-/// form rounds its two products differently, so its bits change when x and y are swapped.
+/// Source: Cornea, Harrison, Tang 2002; bound by Jeannerod, ACM TOMS 42 (2016) 19. Kahan's
+/// shorter form rounds its two products differently, so its bits change when x and y are swapped.
 template <class S>
 S sum_of_products(const S& a, const S& b, const S& c, const S& d) {
   if constexpr (kIsDouble<S>) {
@@ -105,9 +106,9 @@ S cross(const Vec<S>& a, const Vec<S>& b) {
   return sum_of_products(a.x, b.y, S(-a.y), b.x);
 }
 
-/// r.r - s^2 to about u of itself down to gaps of 2^-52 s, the same bits when x and y are swapped.
-/// The squares are kept with what their rounding lost (Ogita, Rump, Oishi, SIAM J. Sci. Comput. 26
-/// (2005) 1955).
+/// r.r - s^2 to about u of itself down to gaps of 2^-52 s, the same bits when x and y are
+/// swapped. The squares are kept with what their rounding lost (Ogita, Rump, Oishi, SIAM J. Sci.
+/// Comput. 26 (2005) 1955).
 template <class S>
 S squared_gap(const Vec<S>& r, const S& s) {
   if constexpr (kIsDouble<S>) {

@@ -4,18 +4,16 @@
 
 namespace carom::event {
 
-/// When a ball reaches a wall.  All three are components along the wall's normal that points to the
-/// ball's side: h the ball's distance from touching the wall, v its velocity and a its
-/// acceleration. The upper wall of an axis at w sees h = w - radius - x, -v and -a: mirrored to the
-/// last bit.
+/// When a ball reaches a wall. All three are components along the wall's normal that points to
+/// the ball's side: h the ball's distance from touching the wall, v its velocity and a its
+/// acceleration. The upper wall of an axis at w sees h = w - radius - x, -v and -a: mirrored to
+/// the last bit.
 ///
-/// Holds:   touching (h = 0, as every wall impact leaves it) or beyond and approaching is now;
-/// leaving is not:
-///          then the next return is found, however short the hop.  A ball beyond the wall that does
-///          not come out before it turns is hit when it turns.  Pressed without moving (v = 0, a <
-///          0, h <= 0) is now: the case of event_rest.hpp.  A tangent touch from above is no
-///          impact.
-/// Error:   4 u of the time, but for a near tangent (a > 0), as the quadratic amplifies.
+/// Holds: touching (h = 0, as every wall impact leaves it) or beyond and approaching is now;
+/// leaving is not: then the next return is found, however short the hop. A ball beyond the wall
+/// that does not come out before it turns is hit when it turns. Pressed without moving (v = 0, a
+/// < 0, h <= 0) is now: the case of event_rest.hpp. A tangent touch from above is no impact.
+/// Error: 4 u of the time, but for a near tangent (a > 0), as the quadratic amplifies.
 template <class S>
 S wall_time(const S& h, const S& v) {
   if (!(v < 0)) {
@@ -45,9 +43,9 @@ S wall_time(const S& h, const S& v, const S& a) {
   return discriminant > 0 ? S((v + root(discriminant)) / -a) : S(v / -a);
 }
 
-/// The normal velocity with which it arrives, by the energy of the fall rather than by its time: a
-/// ball that leaves the wall with v comes back with -v to the last bit, so bouncing for ever costs
-/// no digits. Only for an impact that wall_time() found.
+/// The normal velocity with which it arrives, by the energy of the fall rather than by its time:
+/// a ball that leaves the wall with v comes back with -v to the last bit, so bouncing for ever
+/// costs no digits. Only for an impact that wall_time() found.
 template <class S>
 S wall_arrival_velocity(const S& h, const S& v, const S& a) {
   if (a == 0) {
