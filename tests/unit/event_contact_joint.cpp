@@ -316,7 +316,10 @@ TEST(EventJointImpact, AnInelasticGroupMovesOnAsOne) {
   const auto report = group.resolve();
   EXPECT_FALSE(approaches(group));
   EXPECT_NEAR(momentum(group).x, 0.3 * 0.7, 1e-15);
-  EXPECT_GE(report.rounds, 1);
+  for (const auto& body : group.bodies) EXPECT_NEAR(body.velocity.x, 0.7 / 8, 1e-15);
+  EXPECT_EQ(report.rounds, 1);
+  EXPECT_EQ(report.impacts, 7);
+  EXPECT_EQ(report.locked, 0);
 }
 
 }  // namespace

@@ -194,7 +194,10 @@ class JointImpact {
   void stop_everything() {
     Chosen all(graph_.size(), 0);
     for (std::size_t k = 0; k < graph_.size(); ++k) all[k] = graph_.mobility(k) > 0 ? 1 : 0;
-    apply(nonnegative_impulses(graph_, partings(), all), S(1));
+    const std::vector<S> impulses = nonnegative_impulses(graph_, partings(), all);
+    ++report_.rounds;
+    for (const S& impulse : impulses) report_.impacts += impulse > 0 ? 1 : 0;
+    apply(impulses, S(1));
   }
 
   void settle() {
