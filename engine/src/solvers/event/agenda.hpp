@@ -1,0 +1,121 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "solvers/event/body.hpp"
+
+namespace carom::event {
+
+/// What is due when: a calendar of buckets, of which only the present one is kept in order.
+///
+/// Entries are never taken out: who asks for the next one says which are still wanted, and the
+/// others are dropped on the way.  Adding costs a write at the end of a bucket.
+///
+/// Source: G. Paul, A complexity O(1) priority queue for event driven molecular dynamics
+/// simulations, J. Comput. Phys. 221 (2007) 615.
+class Agenda {
+ public:
+  struct Entry {
+    Ticks time;
+    Index ball;
+  };
+
+  /// Empties it; `width` is the ticks of one bucket, about as long as a few entries take.
+  void reset(Ticks now, Ticks width, std::size_t buckets);
+
+  void add(Ticks time, Index ball) {
+    if (time == kNever) return;
+    const Ticks number = (time - origin_) >> shift_;
+    if (number <= present_) {
+      late_.push_back({time, ball});
+      std::push_heap(late_.begin(), late_.end(), later);
+    } else if (number < year_end_) {
+      buckets_[static_cast<std::size_t>(number) & mask_].push_back({time, ball});
+    } else {
+      far_.push_back({time, ball});
+    }
+  }
+
+  /// The earliest entry; opens buckets up to the one that holds `until`.  `wanted(entry)` tells
+  /// whether an entry still counts; `prepare` is given the entries of each bucket in order before
+  /// the first of them is due.  Null: none up to `until`.
+  template <class Wanted, class Prepare>
+  const Entry* first(Ticks until, const Wanted& wanted, const Prepare& prepare) {
+    while (next_ == ordered_.size() && late_.empty()) {
+      if (((until - origin_) >> shift_) <= present_) return nullptr;
+      open_next(wanted);
+      prepare(std::span<const Entry>(ordered_),
+              std::span<const Entry>(buckets_[static_cast<std::size_t>(present_ + 1) & mask_]));
+    }
+    const bool from_late =
+        !late_.empty() && (next_ == ordered_.size() || late_.front().time < ordered_[next_].time);
+    const Entry* entry = from_late ? &late_.front() : &ordered_[next_];
+    taking_late_ = from_late;
+    return entry->time <= until ? entry : nullptr;
+  }
+  /// Counts time from `by` ticks later on.
+  void rebase(Ticks by);
+  /// Takes out the entry that `first` gave.
+  void drop_first() {
+    if (taking_late_) {
+      std::pop_heap(late_.begin(), late_.end(), later);
+      late_.pop_back();
+    } else {
+      ++next_;
+    }
+  }
+
+  [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] std::size_t size() const;
+
+ private:
+  static bool later(const Entry& a, const Entry& b) { return a.time > b.time; }
+
+  template <class Wanted>
+  void open_next(const Wanted& wanted) {
+    ++present_;
+    if (present_ + static_cast<Ticks>(buckets_.size()) / 2 >= year_end_) next_year(wanted);
+    std::vector<Entry>& bucket = buckets_[static_cast<std::size_t>(present_) & mask_];
+    ordered_.clear();
+    next_ = 0;
+    for (const Entry& entry : bucket) {
+      if (wanted(entry)) ordered_.push_back(entry);
+    }
+    bucket.clear();
+    std::sort(ordered_.begin(), ordered_.end(),
+              [](const Entry& a, const Entry& b) { return a.time < b.time; });
+  }
+
+  template <class Wanted>
+  void next_year(const Wanted& wanted) {
+    year_end_ += static_cast<Ticks>(buckets_.size()) / 2;
+    std::size_t kept = 0;
+    for (const Entry entry : far_) {
+      if (!wanted(entry)) continue;
+      const Ticks number = (entry.time - origin_) >> shift_;
+      if (number < year_end_) {
+        buckets_[static_cast<std::size_t>(number) & mask_].push_back(entry);
+      } else {
+        far_[kept++] = entry;
+      }
+    }
+    far_.resize(kept);
+  }
+
+  Ticks origin_ = 0;
+  int shift_ = 0;
+  std::size_t mask_ = 0;
+  Ticks present_ = 0;   ///< number of the bucket that is open
+  Ticks year_end_ = 0;  ///< number of the first bucket whose entries are in `far_`
+  std::vector<std::vector<Entry>> buckets_;
+  std::vector<Entry> ordered_;  ///< the open bucket, in order of time from `next_` on
+  std::size_t next_ = 0;
+  std::vector<Entry> late_;  ///< a heap: added to the open bucket after it was put in order
+  std::vector<Entry> far_;
+  bool taking_late_ = false;
+};
+
+}  // namespace carom::event

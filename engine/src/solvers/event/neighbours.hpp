@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solvers/event/body.hpp"
+#include "solvers/event/huge_pages.hpp"
+#include "solvers/event/motion.hpp"
+#include "solvers/event/short_lists.hpp"
+
+namespace carom::event {
+
+/// For every ball the balls it may meet before either leaves the square around it.
+///
+/// A ball is listed with another where their squares are so near that the balls could touch.  When
+/// a ball leaves its square it gets a new one, shifted the way it flies.
+///
+/// Holds: lists are mutual.  Squares and lists never change a result, only what is looked at.
+class Neighbours {
+ public:
+  using Lists = ShortLists<14>;
+
+  explicit Neighbours(const Motion& motion) : motion_(motion) {}
+
+  void reset(const HugeVector<Body>& bodies, Ticks now);
+  /// A new square and list for a ball; gives the neighbours it did not have before.
+  [[nodiscard]] const std::vector<Index>& renew(const HugeVector<Body>& bodies, Index i, Ticks now);
+  /// When the ball leaves its square.
+  [[nodiscard]] Ticks leaving(const Body& body, Index i, Ticks now) const;
+
+  [[nodiscard]] const Lists& lists() const { return lists_; }
+  /// Half the side of a square.
+  [[nodiscard]] double skin() const { return skin_; }
+  [[nodiscard]] std::size_t bytes() const;
+
+  /// Brings what belongs to a ball, or to the search around it, near to the processor.
+  void fetch(Index i) const {
+    __builtin_prefetch(&lists_.first(i));
+    __builtin_prefetch(&centres_[i]);
+  }
+  void fetch_around(Index i) const;
+
+ private:
+  struct Centre {
+    double x, y;
+  };
+
+  void choose_skin(const HugeVector<Body>& bodies);
+  void set_square(const Body& body, Index i, Ticks now);
+  [[nodiscard]] std::uint32_t cell_of(const Centre& at) const;
+  [[nodiscard]] std::uint32_t gather(std::uint32_t cell);
+  [[nodiscard]] std::uint32_t keep_near(const HugeVector<Body>& bodies, Index i,
+                                        std::uint32_t candidates);
+  void list(const HugeVector<Body>& bodies, Index i);
+
+  const Motion& motion_;
+  double skin_ = 0;
+  HugeVector<Centre> centres_;
+  HugeVector<std::uint32_t> cell_;
+  HugeVector<std::uint32_t> seen_;  ///< a mark on each ball, while a list is renewed
+  std::uint32_t stamp_ = 0;
+  Lists lists_;
+  ShortLists<6> cells_;
+  std::array<std::uint32_t, 2> count_{1, 1};  ///< columns and rows of cells
+  std::array<double, 2> per_length_{1, 1};
+  std::vector<Index> found_;
+  std::vector<Index> fresh_;
+};
+
+}  // namespace carom::event

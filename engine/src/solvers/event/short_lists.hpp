@@ -1,0 +1,129 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solvers/event/huge_pages.hpp"
+
+namespace carom::event {
+
+/// Many short lists of indices, the first `K` of each in one place.
+///
+/// Holds: a list is a chain of nodes; all but the last are full.
+template <std::uint32_t K>
+class ShortLists {
+ public:
+  struct alignas((K + 2) * 4) Node {
+    std::uint32_t item[K];
+    std::uint32_t count = 0;
+    std::uint32_t next = 0;
+  };
+
+  void reset(std::size_t lists) {
+    nodes_.assign(lists, Node{});
+    free_.clear();
+  }
+
+  [[nodiscard]] const Node& first(std::uint32_t list) const { return nodes_[list]; }
+  /// The node after `node`; REQUIRES: it has one (`next` is not 0).
+  [[nodiscard]] const Node& after(const Node& node) const { return nodes_[node.next]; }
+
+  template <class Visit>
+  void each(std::uint32_t list, Visit visit) const {
+    for (const Node* node = &nodes_[list];; node = &nodes_[node->next]) {
+      for (std::uint32_t n = 0; n < node->count; ++n) visit(node->item[n]);
+      if (node->next == 0) return;
+    }
+  }
+
+  [[nodiscard]] bool contains(std::uint32_t list, std::uint32_t item) const {
+    bool found = false;
+    each(list, [&](std::uint32_t other) { found |= other == item; });
+    return found;
+  }
+
+  void add(std::uint32_t list, std::uint32_t item) {
+    std::uint32_t at = list;
+    while (nodes_[at].next != 0) at = nodes_[at].next;
+    if (nodes_[at].count == K) {
+      const std::uint32_t fresh = new_node();
+      nodes_[at].next = fresh;
+      at = fresh;
+    }
+    nodes_[at].item[nodes_[at].count++] = item;
+  }
+
+  /// Takes `item` out of the list, where it is in it.
+  void remove(std::uint32_t list, std::uint32_t item) {
+    std::uint32_t at = list;
+    std::uint32_t slot = find(nodes_[at], item);
+    while (slot == K) {
+      if (nodes_[at].next == 0) return;
+      at = nodes_[at].next;
+      slot = find(nodes_[at], item);
+    }
+    std::uint32_t before = at;
+    std::uint32_t last = at;
+    while (nodes_[last].next != 0) {
+      before = last;
+      last = nodes_[last].next;
+    }
+    nodes_[at].item[slot] = nodes_[last].item[--nodes_[last].count];
+    if (nodes_[last].count == 0 && last != list) {
+      if (before == last) {  // the item was alone in the last node: find who points there
+        before = list;
+        while (nodes_[before].next != last) before = nodes_[before].next;
+      }
+      nodes_[before].next = 0;
+      free_.push_back(last);
+    }
+  }
+
+  void assign(std::uint32_t list, const std::uint32_t* items, std::uint32_t count) {
+    if (nodes_[list].next != 0) clear(list);
+    if (count > K) {
+      nodes_[list].count = 0;
+      for (std::uint32_t n = 0; n < count; ++n) add(list, items[n]);
+      return;
+    }
+    for (std::uint32_t n = 0; n < count; ++n) nodes_[list].item[n] = items[n];
+    nodes_[list].count = count;
+  }
+
+  void clear(std::uint32_t list) {
+    for (std::uint32_t at = nodes_[list].next; at != 0;) {
+      free_.push_back(at);
+      at = nodes_[at].next;
+    }
+    nodes_[list].count = 0;
+    nodes_[list].next = 0;
+  }
+
+  [[nodiscard]] std::size_t bytes() const {
+    return nodes_.capacity() * sizeof(Node) + free_.capacity() * sizeof(std::uint32_t);
+  }
+
+ private:
+  static std::uint32_t find(const Node& node, std::uint32_t item) {
+    std::uint32_t slot = K;  // looked up without a branch: which one it is cannot be foreseen
+    for (std::uint32_t n = 0; n < K; ++n) slot = node.item[n] == item && n < node.count ? n : slot;
+    return slot;
+  }
+
+  std::uint32_t new_node() {
+    if (!free_.empty()) {
+      const std::uint32_t at = free_.back();
+      free_.pop_back();
+      nodes_[at] = Node{};
+      return at;
+    }
+    nodes_.emplace_back();
+    return static_cast<std::uint32_t>(nodes_.size() - 1);
+  }
+
+  HugeVector<Node> nodes_;
+  std::vector<std::uint32_t> free_;
+};
+
+}  // namespace carom::event

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solvers/event/agenda.hpp"
+#include "solvers/event/body.hpp"
+#include "solvers/event/huge_pages.hpp"
+#include "solvers/event/motion.hpp"
+#include "solvers/event/neighbours.hpp"
+
+namespace carom::event {
+
+/// What has happened so far.
+struct Counts {
+  std::uint64_t ball_ball = 0;
+  std::uint64_t ball_wall = 0;
+  std::uint64_t renewals = 0;  ///< squares left: neighbours listed anew
+  std::uint64_t scans = 0;     ///< searches for the next impact of a ball
+  std::uint64_t vain = 0;      ///< of them, because its partner had met another
+  double max_overlap = 0;      ///< deepest overlap at an impact / smaller radius
+};
+
+/// Balls and their impacts in the order of time.
+///
+/// For each ball the earliest impact is kept that it is known to have; a pair is kept with the
+/// first of its balls that has nothing earlier.  Whoever takes a ball from its partner leaves the
+/// partner with a time before which nothing can happen to it, and that it is looked at again then.
+///
+/// Holds: for every pair, the earlier of the two balls' `meets` is not after their impact.
+/// Errors: std::runtime_error where impacts follow each other without time passing.
+/// Source: B. Lubachevsky, How to simulate billiards and similar systems, J. Comput. Phys. 94
+/// (1991) 255: one event a ball; A. Donev, S. Torquato, F. Stillinger, J. Comput. Phys. 202 (2005)
+/// 737: lists of neighbours that events renew.
+class Tile {
+ public:
+  explicit Tile(Rules rules);
+  Tile(const Tile&) = delete;
+  Tile& operator=(const Tile&) = delete;
+
+  /// Takes these flights, the others are forgotten; `now` is not before any of their starts.
+  void reset(const std::vector<Body>& bodies, Ticks now);
+  /// Everything up to `until` has happened then.
+  void advance_to(Ticks until);
+  /// Counts time from `by` ticks later on; nothing else changes.
+  void rebase(Ticks by);
+
+  [[nodiscard]] const HugeVector<Body>& bodies() const { return bodies_; }
+  [[nodiscard]] const Motion& motion() const { return motion_; }
+  [[nodiscard]] const Counts& counts() const { return counts_; }
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  void next_event(Index i, Ticks now);
+  void meet(Index i, Ticks now);
+  void meet_ball(Index i, Index j, Ticks now);
+  void forget(Index i);
+  void scan(Index i, Ticks now);
+  template <bool kFalls>
+  void look_at(Index i, const Index* others, std::uint32_t count, Ticks now, Meeting& best) const;
+  void look_at(Index i, const Index* others, std::uint32_t count, Ticks now, Meeting& best) const;
+  void look_at_pegs(Index i, const Index* others, std::uint32_t count, Meeting& best) const;
+  void link(Index i, const Meeting& best);
+  void unlink(Index i);
+  void announce(Index i) { agenda_.add(bodies_[i].due(), i); }
+  void start_agenda(Ticks now);
+  void fetch(std::span<const Agenda::Entry> entries, std::span<const Agenda::Entry> after) const;
+  void watch(Ticks now);
+
+  Motion motion_;
+  HugeVector<Body> bodies_;
+  Neighbours neighbours_{motion_};
+  Agenda agenda_;
+  Counts counts_;
+  std::vector<Index> left_;  ///< the fixed ball a flight began at; only where balls fall on pegs
+  Ticks instant_ = 0;        ///< of the last impact
+  std::size_t at_once_ = 0;  ///< impacts at that instant
+};
+
+}  // namespace carom::event

@@ -1,0 +1,239 @@
+#include "solvers/event/tile.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "contact/event_pair_time.hpp"
+#include "solvers/event/pair_lanes.hpp"
+
+namespace carom::event {
+namespace {
+
+/// Every pair looked at for every impact: slow, and hard to get wrong.
+class AllPairs {
+ public:
+  AllPairs(const Rules& rules, std::vector<Body> bodies)
+      : motion_(rules), bodies_(std::move(bodies)), left_(bodies_.size(), kUnknown) {}
+
+  Counts counts;
+
+  void advance_to(Ticks until) {
+    while (true) {
+      Meeting best;
+      std::size_t who = 0;
+      const auto offer = [&](const Meeting& meeting, std::size_t i) {
+        if (meeting.time < best.time) best = meeting, who = i;
+      };
+      for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (motion_.fixed(bodies_[i])) continue;
+        offer(motion_.alone(bodies_[i]), i);
+        for (std::size_t j = 0; j < bodies_.size(); ++j) {
+          if (j == i || (j > i && !motion_.fixed(bodies_[j]))) continue;
+          const auto k = static_cast<Index>(j);
+          offer({motion_.pair_meets(bodies_[i], bodies_[j], left_[i] == k), k}, i);
+        }
+      }
+      if (best.time > until) return;
+      left_[who] = kUnknown;
+      if (best.partner == kCarry) {
+        motion_.carry(bodies_[who], best.time);
+      } else if (best.partner >= kWalls) {
+        motion_.bounce(bodies_[who], best.partner, best.time);
+        ++counts.ball_wall;
+      } else {
+        Body& other = bodies_[best.partner];
+        motion_.strike(bodies_[who], other, best.time);
+        left_[best.partner] = kUnknown;
+        if (motion_.fixed(other)) left_[who] = best.partner;
+        ++counts.ball_ball;
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
+
+ private:
+  Motion motion_;
+  std::vector<Body> bodies_;
+  std::vector<Index> left_;
+};
+
+Domain domain(double width, double height, bool periodic_x, bool periodic_y) {
+  Box box;
+  box.width = width;
+  box.height = height;
+  box.periodic = {periodic_x, periodic_y};
+  box.origin = Box::Origin::center;
+  return {box, true};
+}
+
+std::vector<Body> lattice(const Rules& rules, std::size_t columns, std::size_t rows) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  const Domain& d = rules.domain;
+  std::vector<Body> bodies;
+  for (std::size_t r = 0; r < rows; ++r) {
+    for (std::size_t c = 0; c < columns; ++c) {
+      Body body;
+      body.x = d.lower[0] + (static_cast<double>(c) + 0.5) * (d.upper[0] - d.lower[0]) /
+                                static_cast<double>(columns);
+      body.y = d.lower[1] + (static_cast<double>(r) + 0.5) * (d.upper[1] - d.lower[1]) /
+                                static_cast<double>(rows);
+      body.kind = static_cast<Index>((r * columns + c) % rules.kinds.size());
+      if (rules.kinds[body.kind].fixed()) {
+        body.start = kEver;
+      } else {
+        body.vx = normal(random);
+        body.vy = normal(random);
+      }
+      bodies.push_back(body);
+    }
+  }
+  return bodies;
+}
+
+void expect_same_bits(const Rules& rules, std::size_t columns, std::size_t rows, double seconds) {
+  const auto start = lattice(rules, columns, rows);
+  const Ticks end = rules.scale.ticks(seconds);
+  AllPairs slow(rules, start);
+  slow.advance_to(end);
+  Tile tile(rules);
+  tile.reset(start, 0);
+  tile.advance_to(end);
+  ASSERT_GT(slow.counts.ball_ball, 100U);
+  EXPECT_EQ(tile.counts().ball_ball, slow.counts.ball_ball);
+  EXPECT_EQ(tile.counts().ball_wall, slow.counts.ball_wall);
+  EXPECT_GT(tile.counts().renewals, 10U);
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const Body& a = slow.bodies()[i];
+    const Body& b = tile.bodies()[i];
+    ASSERT_EQ(a.x, b.x) << i;
+    ASSERT_EQ(a.y, b.y) << i;
+    ASSERT_EQ(a.vx, b.vx) << i;
+    ASSERT_EQ(a.vy, b.vy) << i;
+    ASSERT_EQ(a.start, b.start) << i;
+  }
+}
+
+Rules rules_of(const Domain& d) {
+  return {d, TickScale((d.upper[0] - d.lower[0]) / 6), {0, 0}, true, 1, 1, {Kind{}}};
+}
+
+TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_between_walls) {
+  expect_same_bits(rules_of(domain(12, 10, false, false)), 9, 8, 5);
+}
+
+TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_on_a_torus) {
+  expect_same_bits(rules_of(domain(12, 10, true, true)), 9, 8, 5);
+}
+
+TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_in_a_thin_gas_in_a_channel) {
+  expect_same_bits(rules_of(domain(40, 30, true, false)), 9, 8, 40);
+}
+
+TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_for_a_mixture_with_fixed_balls) {
+  Rules rules = rules_of(domain(14, 12, true, false));
+  rules.kinds = {{0.5, 1}, {0.25, 8}, {0.6, 0.5}, {0.3, 0}, {0.55, 1}};
+  expect_same_bits(rules, 9, 8, 5);
+}
+
+TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_under_gravity) {
+  Rules rules = rules_of(domain(14, 12, false, false));
+  rules.gravity = {0.5, -2};
+  rules.restitution = 0.95;
+  expect_same_bits(rules, 9, 8, 5);
+}
+
+TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_falling_through_pegs) {
+  Rules rules = rules_of(domain(14, 12, true, false));
+  rules.gravity = {0, -2};
+  rules.kinds = {{0.5, 1}, {0.25, 8}, {0.6, 0.5}, {0.3, 0}, {0.55, 1}};
+  expect_same_bits(rules, 9, 8, 5);
+}
+
+TEST(EventTile, counting_time_from_a_later_tick_changes_no_bit) {
+  const Rules rules = rules_of(domain(12, 10, true, false));
+  const auto start = lattice(rules, 9, 8);
+  const Ticks end = rules.scale.ticks(4);
+  Tile whole(rules);
+  whole.reset(start, 0);
+  whole.advance_to(end);
+  Tile parts(rules);
+  parts.reset(start, 0);
+  Ticks base = 0;
+  for (int part = 1; part <= 7; ++part) {
+    const Ticks until = end / 7 * part - base;
+    parts.advance_to(until);
+    parts.rebase(until);
+    base += until;
+  }
+  parts.advance_to(end - base);
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    ASSERT_EQ(whole.bodies()[i].x, parts.bodies()[i].x);
+    ASSERT_EQ(whole.bodies()[i].vy, parts.bodies()[i].vy);
+    ASSERT_EQ(whole.bodies()[i].start, parts.bodies()[i].start + base);
+  }
+}
+
+// Equal balls in a line pass each other in effect: ball i from the left is where the i-th of as
+// many free points would be, between walls one diameter nearer for each ball (Jepsen 1965).
+TEST(EventTile, rods_in_a_line_are_where_free_points_would_be) {
+  constexpr std::size_t kRods = 12;
+  Rules rules = rules_of(domain(30, 1.5, false, false));
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::vector<Body> rods(kRods);
+  for (std::size_t i = 0; i < kRods; ++i) {
+    rods[i].x = -15 + (static_cast<double>(i) + 0.5) * 30 / kRods;
+    rods[i].vx = normal(random);
+  }
+  Tile tile(rules);
+  tile.reset(rods, 0);
+  const Ticks end = rules.scale.ticks(50);
+  tile.advance_to(end);
+  ASSERT_GT(tile.counts().ball_ball, 100U);
+
+  const double low = -15 + 0.5;
+  const double length = 30 - 1.0 * kRods;
+  std::vector<double> points;
+  for (std::size_t i = 0; i < kRods; ++i) {
+    const double free = rods[i].x - static_cast<double>(i) - low + rods[i].vx * 50;
+    const double folded = std::fmod(std::fmod(free, 2 * length) + 2 * length, 2 * length);
+    points.push_back(folded > length ? 2 * length - folded : folded);
+  }
+  std::sort(points.begin(), points.end());
+  for (std::size_t i = 0; i < kRods; ++i) {
+    const double at = tile.motion().place(tile.bodies()[i], end).x;
+    EXPECT_NEAR(at, points[i] + low + static_cast<double>(i), 1e-12) << i;
+  }
+}
+
+TEST(EventTile, four_pairs_at_once_have_the_bits_of_one_at_a_time) {
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal;
+  std::size_t hits = 0;
+  for (int round = 0; round < 5000; ++round) {
+    Lanes dx, dy, vx, vy, reach;
+    for (std::uint32_t l = 0; l < kLanes; ++l) {
+      dx[l] = normal(random) * 2;
+      dy[l] = normal(random) * 2;
+      vx[l] = normal(random);
+      vy[l] = normal(random);
+      reach[l] = std::abs(normal(random));
+    }
+    const Lanes times = pair_times(dx, dy, vx, vy, reach);
+    for (std::uint32_t l = 0; l < kLanes; ++l) {
+      const double one = pair_time(Vec<double>{dx[l], dy[l]}, Vec<double>{vx[l], vy[l]}, reach[l]);
+      ASSERT_EQ(times[l], one);
+      if (std::isfinite(one)) ++hits;
+    }
+  }
+  EXPECT_GT(hits, 1000U);
+}
+
+}  // namespace
+}  // namespace carom::event
