@@ -50,10 +50,10 @@ void measure(std::size_t n, double packing, double time_limit) {
   box.periodic = {true, true};
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
-  std::vector<Body> balls;
+  std::vector<Disk> balls;
   for (unsigned r = 0; r < rows; ++r) {
     for (unsigned c = 0; c < columns; ++c) {
-      Body ball;
+      Disk ball;
       ball.x = (c + (r % 2 == 0 ? 0.25 : 0.75)) * spacing;
       ball.y = (r + 0.5) * spacing * std::sqrt(0.75);
       ball.vx = normal(random);
@@ -62,8 +62,8 @@ void measure(std::size_t n, double packing, double time_limit) {
     }
   }
   // in blocks of 8 by 8, as a cell order would have them
-  std::stable_sort(balls.begin(), balls.end(), [&](const Body& a, const Body& b) {
-    const auto block = [&](const Body& s) {
+  std::stable_sort(balls.begin(), balls.end(), [&](const Disk& a, const Disk& b) {
+    const auto block = [&](const Disk& s) {
       const auto bx = unsigned(s.x / (8 * spacing)), by = unsigned(s.y / (8 * spacing));
       return by * 1000 + bx;
     };
@@ -71,16 +71,16 @@ void measure(std::size_t n, double packing, double time_limit) {
   });
   double px = 0;
   double py = 0;
-  for (const Body& b : balls) {
+  for (const Disk& b : balls) {
     px += b.vx;
     py += b.vy;
   }
-  for (Body& b : balls) {
+  for (Disk& b : balls) {
     b.vx -= px / static_cast<double>(n);
     b.vy -= py / static_cast<double>(n);
   }
   double energy = 0;
-  for (const Body& b : balls) energy += b.vx * b.vx + b.vy * b.vy;
+  for (const Disk& b : balls) energy += b.vx * b.vx + b.vy * b.vy;
   const TickScale scale(box.width / 6);
   // Enskog's collision rate, collisions a second in all
   const double chi = (1 - 7 * packing / 16) / ((1 - packing) * (1 - packing));

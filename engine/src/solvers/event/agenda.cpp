@@ -6,6 +6,7 @@ namespace carom::event {
 
 void Agenda::reset(Ticks now, Ticks width, std::size_t buckets) {
   const std::size_t count = std::bit_ceil(std::max<std::size_t>(buckets, 4));
+  width = std::min(width, kLongestFlight / static_cast<Ticks>(count));
   origin_ = now;
   shift_ =
       static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::max<Ticks>(width, 1)))) - 1;
@@ -20,7 +21,13 @@ void Agenda::reset(Ticks now, Ticks width, std::size_t buckets) {
 }
 
 void Agenda::rebase(Ticks by) {
-  origin_ -= by;
+  // Buckets are numbered anew too, by whole turns of the ring, so that no difference of times grows
+  // beyond what a number holds.
+  const auto turn = static_cast<Ticks>(buckets_.size());
+  const Ticks numbers = present_ / turn * turn;
+  present_ -= numbers;
+  year_end_ -= numbers;
+  origin_ += (numbers << shift_) - by;
   const auto shift = [by](std::vector<Entry>& entries) {
     for (Entry& entry : entries) entry.time -= by;
   };

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "solvers/event/body.hpp"
+#include "solvers/event/disk.hpp"
 
 namespace carom::event {
 

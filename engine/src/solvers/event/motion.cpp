@@ -14,8 +14,8 @@
 namespace carom::event {
 namespace {
 
-Flight<double> flight(const Body& body) {
-  return {{body.x, body.y}, {body.vx, body.vy}};
+Flight<double> flight(const Disk& disk) {
+  return {{disk.x, disk.y}, {disk.vx, disk.vy}};
 }
 
 }  // namespace
@@ -31,18 +31,18 @@ Motion::Motion(Rules rules)
   }
 }
 
-Vec<double> Motion::place(const Body& body, Ticks now) const {
-  const double elapsed = rules_.scale.seconds(now - body.start);
-  if (!falls_) return {body.x + body.vx * elapsed, body.y + body.vy * elapsed};
-  if (fixed(body)) return {body.x, body.y};
+Vec<double> Motion::place(const Disk& disk, Ticks now) const {
+  const double elapsed = rules_.scale.seconds(now - disk.start);
+  if (!falls_) return {disk.x + disk.vx * elapsed, disk.y + disk.vy * elapsed};
+  if (fixed(disk)) return {disk.x, disk.y};
   const BallisticLaw<double> law{{rules_.gravity[0], rules_.gravity[1]}};
-  return Vec<double>{body.x, body.y} + law.displacement(flight(body), elapsed);
+  return Vec<double>{disk.x, disk.y} + law.displacement(flight(disk), elapsed);
 }
 
-Vec<double> Motion::velocity(const Body& body, Ticks now) const {
-  if (!falls_ || fixed(body)) return {body.vx, body.vy};
-  const double elapsed = rules_.scale.seconds(now - body.start);
-  return {body.vx + rules_.gravity[0] * elapsed, body.vy + rules_.gravity[1] * elapsed};
+Vec<double> Motion::velocity(const Disk& disk, Ticks now) const {
+  if (!falls_ || fixed(disk)) return {disk.vx, disk.vy};
+  const double elapsed = rules_.scale.seconds(now - disk.start);
+  return {disk.vx + rules_.gravity[0] * elapsed, disk.vy + rules_.gravity[1] * elapsed};
 }
 
 Vec<double> Motion::way(const Vec<double>& a, const Vec<double>& b) const {
@@ -56,16 +56,16 @@ Vec<double> Motion::wrapped(const Vec<double>& at) const {
           domain.period[1] > 0 ? domain.wrapped(1, at.y) : at.y};
 }
 
-Ticks Motion::pair_meets(const Body& a, const Body& b, bool from_contact) const {
+Ticks Motion::pair_meets(const Disk& a, const Disk& b, bool from_contact) const {
   const bool swap = b.start < a.start;
-  const Body& earlier = swap ? b : a;
-  const Body& later = swap ? a : b;
+  const Disk& earlier = swap ? b : a;
+  const Disk& later = swap ? a : b;
   const double elapsed = rules_.scale.seconds(later.start - earlier.start);
   const double reach = kind(a).radius + kind(b).radius;
   double wait = 0;
   if (falls_ && (fixed(a) || fixed(b))) {
-    const Body& ball = fixed(a) ? b : a;
-    const Body& peg = fixed(a) ? a : b;
+    const Disk& ball = fixed(a) ? b : a;
+    const Disk& peg = fixed(a) ? a : b;
     const Vec<double> r = way({peg.x, peg.y}, {ball.x, ball.y});
     wait = peg_time(r, Vec<double>{ball.vx, ball.vy},
                     Vec<double>{rules_.gravity[0], rules_.gravity[1]}, reach, from_contact);
@@ -87,11 +87,11 @@ Ticks Motion::pair_meets(const Body& a, const Body& b, bool from_contact) const 
   return ticks == kNever ? kNever : later.start + ticks;
 }
 
-Meeting Motion::wall_meeting(const Body& body, std::size_t axis) const {
-  const double x = axis == 0 ? body.x : body.y;
-  const double v = axis == 0 ? body.vx : body.vy;
+Meeting Motion::wall_meeting(const Disk& disk, std::size_t axis) const {
+  const double x = axis == 0 ? disk.x : disk.y;
+  const double v = axis == 0 ? disk.vx : disk.vy;
   const double a = rules_.gravity[axis];
-  const double radius = kind(body).radius;
+  const double radius = kind(disk).radius;
   const double below = x - rules_.domain.lowest(axis, radius);
   const double above = rules_.domain.highest(axis, radius) - x;
   const double low = wall_time(below, v, a);
@@ -99,54 +99,54 @@ Meeting Motion::wall_meeting(const Body& body, std::size_t axis) const {
   const Ticks wait = rules_.scale.ticks(std::min(low, high));
   if (wait == kNever) return {};
   const auto side = static_cast<Index>(2 * axis) + (high < low ? 1U : 0U);
-  return {body.start + wait, kWalls + side};
+  return {disk.start + wait, kWalls + side};
 }
 
-Meeting Motion::alone(const Body& body) const {
-  Meeting first{body.start + kLongestFlight, kCarry};
+Meeting Motion::alone(const Disk& disk) const {
+  Meeting first{disk.start + kLongestFlight, kCarry};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (rules_.domain.solid(axis)) {
-      const Meeting wall = wall_meeting(body, axis);
+      const Meeting wall = wall_meeting(disk, axis);
       if (wall.time < first.time) first = wall;
     } else if (rules_.domain.period[axis] > 0) {
-      const double speed = std::abs(axis == 0 ? body.vx : body.vy);
+      const double speed = std::abs(axis == 0 ? disk.vx : disk.vy);
       const double a = std::abs(rules_.gravity[axis]);
       const double longest =
           2 * reach_[axis] / (speed + std::sqrt(speed * speed + 2 * a * reach_[axis]));
       const Ticks wait = rules_.scale.ticks(longest);
-      if (wait != kNever && body.start + wait < first.time) first = {body.start + wait, kCarry};
+      if (wait != kNever && disk.start + wait < first.time) first = {disk.start + wait, kCarry};
     }
   }
   return first;
 }
 
-void Motion::carry(Body& body, Ticks now) const {
-  const Vec<double> at = wrapped(place(body, now));
-  const Vec<double> v = velocity(body, now);
-  body.x = at.x;
-  body.y = at.y;
-  body.vx = v.x;
-  body.vy = v.y;
-  body.start = now;
+void Motion::carry(Disk& disk, Ticks now) const {
+  const Vec<double> at = wrapped(place(disk, now));
+  const Vec<double> v = velocity(disk, now);
+  disk.x = at.x;
+  disk.y = at.y;
+  disk.vx = v.x;
+  disk.vy = v.y;
+  disk.start = now;
 }
 
-void Motion::bounce(Body& body, Index wall, Ticks now) const {
+void Motion::bounce(Disk& disk, Index wall, Ticks now) const {
   const std::size_t axis = (wall - kWalls) / 2;
   const bool upper = (wall - kWalls) % 2 == 1;
-  const double radius = kind(body).radius;
+  const double radius = kind(disk).radius;
   const double stop =
       upper ? rules_.domain.highest(axis, radius) : rules_.domain.lowest(axis, radius);
   const double sign = upper ? -1 : 1;
-  double& x = axis == 0 ? body.x : body.y;
-  double& v = axis == 0 ? body.vx : body.vy;
+  double& x = axis == 0 ? disk.x : disk.y;
+  double& v = axis == 0 ? disk.vx : disk.vy;
   const double arrival =
       wall_arrival_velocity(sign * (x - stop), sign * v, sign * rules_.gravity[axis]);
-  carry(body, now);
+  carry(disk, now);
   x = stop;
   v = sign * wall_impact(arrival, rules_.wall_restitution);
 }
 
-double Motion::strike(Body& a, Body& b, Ticks now) const {
+double Motion::strike(Disk& a, Disk& b, Ticks now) const {
   const Kind& ka = kind(a);
   const Kind& kb = kind(b);
   if (!ka.fixed()) carry(a, now);

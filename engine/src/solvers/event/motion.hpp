@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/event_scalar.hpp"
-#include "solvers/event/body.hpp"
+#include "solvers/event/disk.hpp"
 #include "solvers/event/ticks.hpp"
 #include "state/domain.hpp"
 
@@ -44,27 +44,27 @@ class Motion {
   explicit Motion(Rules rules);
 
   /// Where a flight is at `now`, not wrapped.
-  [[nodiscard]] Vec<double> place(const Body& body, Ticks now) const;
-  [[nodiscard]] Vec<double> velocity(const Body& body, Ticks now) const;
+  [[nodiscard]] Vec<double> place(const Disk& disk, Ticks now) const;
+  [[nodiscard]] Vec<double> velocity(const Disk& disk, Ticks now) const;
   /// From a to b, the shorter way round periodic axes.
   [[nodiscard]] Vec<double> way(const Vec<double>& a, const Vec<double>& b) const;
   [[nodiscard]] Vec<double> wrapped(const Vec<double>& at) const;
 
   /// When two balls meet; one of them may be fixed.  `from_contact`: the flight of the one that is
   /// not fixed began with an impact of the two.
-  [[nodiscard]] Ticks pair_meets(const Body& a, const Body& b, bool from_contact = false) const;
+  [[nodiscard]] Ticks pair_meets(const Disk& a, const Disk& b, bool from_contact = false) const;
   /// When a ball meets a wall, or has flown so far that its flight starts anew.
-  [[nodiscard]] Meeting alone(const Body& body) const;
+  [[nodiscard]] Meeting alone(const Disk& disk) const;
 
   /// Starts the flight anew where it is at `now`.
-  void carry(Body& body, Ticks now) const;
-  void bounce(Body& body, Index wall, Ticks now) const;
+  void carry(Disk& disk, Ticks now) const;
+  void bounce(Disk& disk, Index wall, Ticks now) const;
   /// The impact of two balls; gives how deep they overlapped, as a part of the smaller radius.
-  double strike(Body& a, Body& b, Ticks now) const;
+  double strike(Disk& a, Disk& b, Ticks now) const;
 
   [[nodiscard]] const Rules& rules() const { return rules_; }
-  [[nodiscard]] const Kind& kind(const Body& body) const { return rules_.kinds[body.kind]; }
-  [[nodiscard]] bool fixed(const Body& body) const { return kind(body).fixed(); }
+  [[nodiscard]] const Kind& kind(const Disk& disk) const { return rules_.kinds[disk.kind]; }
+  [[nodiscard]] bool fixed(const Disk& disk) const { return kind(disk).fixed(); }
   [[nodiscard]] bool falls() const { return falls_; }
   [[nodiscard]] bool one_kind() const { return rules_.kinds.size() == 1; }
   [[nodiscard]] double largest_radius() const { return largest_radius_; }
@@ -72,7 +72,7 @@ class Motion {
   [[nodiscard]] const std::array<double, 2>& periods() const { return periods_; }
 
  private:
-  [[nodiscard]] Meeting wall_meeting(const Body& body, std::size_t axis) const;
+  [[nodiscard]] Meeting wall_meeting(const Disk& disk, std::size_t axis) const;
 
   Rules rules_;
   std::array<double, 2> periods_;

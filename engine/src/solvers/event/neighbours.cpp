@@ -19,29 +19,29 @@ constexpr double kMargin = 0x1p-30;
 
 // Half a side that makes searching for neighbours about as dear as looking at them: measured at
 // packings 0.1, 0.5 and 0.7 of equal disks.
-void Neighbours::choose_skin(const HugeVector<Body>& bodies) {
+void Neighbours::choose_skin(const HugeVector<Disk>& disks) {
   const Domain& domain = motion_.rules().domain;
   const double area = (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]);
   double diameters = 0;
-  for (const Body& body : bodies) diameters += 2 * motion_.kind(body).radius;
-  const auto n = static_cast<double>(std::max<std::size_t>(bodies.size(), 1));
+  for (const Disk& disk : disks) diameters += 2 * motion_.kind(disk).radius;
+  const auto n = static_cast<double>(std::max<std::size_t>(disks.size(), 1));
   const double diameter = diameters / n;
   const double spacing = std::sqrt(area / n);
   skin_ = 0.15 * diameter + 0.75 * std::max(spacing - diameter, 0.0);
   for (const double period : motion_.periods()) skin_ = std::min(skin_, period / 8);
 }
 
-void Neighbours::reset(const HugeVector<Body>& bodies, Ticks now) {
-  choose_skin(bodies);
+void Neighbours::reset(const HugeVector<Disk>& disks, Ticks now) {
+  choose_skin(disks);
   const Domain& domain = motion_.rules().domain;
   const double range = (2 * motion_.largest_radius() + 2 * skin_) * (1 + kMargin);
-  const double most = 2 * std::sqrt(static_cast<double>(bodies.size())) + 1;
+  const double most = 2 * std::sqrt(static_cast<double>(disks.size())) + 1;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double length = domain.upper[axis] - domain.lower[axis];
     count_[axis] = static_cast<std::uint32_t>(std::clamp(length / range, 1.0, 4 * most));
     per_length_[axis] = count_[axis] / length;
   }
-  const auto n = static_cast<Index>(bodies.size());
+  const auto n = static_cast<Index>(disks.size());
   centres_.resize(n);
   cell_.resize(n);
   seen_.assign(n, 0);
@@ -49,11 +49,11 @@ void Neighbours::reset(const HugeVector<Body>& bodies, Ticks now) {
   lists_.reset(n);
   cells_.reset(std::size_t{count_[0]} * count_[1]);
   for (Index i = 0; i < n; ++i) {
-    set_square(bodies[i], i, now);
+    set_square(disks[i], i, now);
     cell_[i] = cell_of(centres_[i]);
     cells_.add(cell_[i], i);
   }
-  for (Index i = 0; i < n; ++i) list(bodies, i);
+  for (Index i = 0; i < n; ++i) list(disks, i);
 }
 
 std::uint32_t Neighbours::cell_of(const Centre& at) const {
@@ -65,23 +65,23 @@ std::uint32_t Neighbours::cell_of(const Centre& at) const {
   return along(at.y, 1) * count_[0] + along(at.x, 0);
 }
 
-void Neighbours::set_square(const Body& body, Index i, Ticks now) {
-  if (motion_.fixed(body)) {
-    centres_[i] = {body.x, body.y};
+void Neighbours::set_square(const Disk& disk, Index i, Ticks now) {
+  if (motion_.fixed(disk)) {
+    centres_[i] = {disk.x, disk.y};
     return;
   }
-  const Vec<double> at = motion_.place(body, now);
-  const Vec<double> v = motion_.velocity(body, now);
+  const Vec<double> at = motion_.place(disk, now);
+  const Vec<double> v = motion_.velocity(disk, now);
   const double speed = std::max(std::abs(v.x), std::abs(v.y));
   const double ahead = speed > 0 ? kForward * skin_ / speed : 0;
   const Vec<double> centre = motion_.wrapped({at.x + v.x * ahead, at.y + v.y * ahead});
   centres_[i] = {centre.x, centre.y};
 }
 
-Ticks Neighbours::leaving(const Body& body, Index i, Ticks now) const {
-  if (motion_.fixed(body)) return kNever;
-  const Vec<double> off = motion_.way({centres_[i].x, centres_[i].y}, motion_.place(body, now));
-  const Vec<double> v = motion_.velocity(body, now);
+Ticks Neighbours::leaving(const Disk& disk, Index i, Ticks now) const {
+  if (motion_.fixed(disk)) return kNever;
+  const Vec<double> off = motion_.way({centres_[i].x, centres_[i].y}, motion_.place(disk, now));
+  const Vec<double> v = motion_.velocity(disk, now);
   double wait = 0;
   if (motion_.falls()) {
     const auto& g = motion_.rules().gravity;
@@ -136,7 +136,7 @@ std::uint32_t Neighbours::gather(std::uint32_t cell) {
 }
 
 // Without branches: which of the candidates are near cannot be foreseen.
-std::uint32_t Neighbours::keep_near(const HugeVector<Body>& bodies, Index i,
+std::uint32_t Neighbours::keep_near(const HugeVector<Disk>& disks, Index i,
                                     std::uint32_t candidates) {
   if (found_.size() < candidates + kLanes) found_.resize(candidates + 64);
   Index* const list = found_.data();
@@ -145,7 +145,7 @@ std::uint32_t Neighbours::keep_near(const HugeVector<Body>& bodies, Index i,
   const Lanes zero{};
   const Lanes period_x = zero + motion_.periods()[0];
   const Lanes period_y = zero + motion_.periods()[1];
-  const double radius = motion_.kind(bodies[i]).radius;
+  const double radius = motion_.kind(disks[i]).radius;
   const double wider = 1 + kMargin;
   Lanes reach = zero + 2 * radius * wider;
   std::uint32_t found = 0;
@@ -162,7 +162,7 @@ std::uint32_t Neighbours::keep_near(const HugeVector<Body>& bodies, Index i,
     dy = dy < zero ? zero : dy;
     if (!motion_.one_kind()) {
       for (std::uint32_t l = 0; l < kLanes; ++l) {
-        reach[l] = (radius + motion_.kind(bodies[j[l]]).radius) * wider;
+        reach[l] = (radius + motion_.kind(disks[j[l]]).radius) * wider;
       }
     }
     const WholeLanes near = dx * dx + dy * dy <= reach * reach;
@@ -174,8 +174,8 @@ std::uint32_t Neighbours::keep_near(const HugeVector<Body>& bodies, Index i,
   return found;
 }
 
-void Neighbours::list(const HugeVector<Body>& bodies, Index i) {
-  const std::uint32_t found = keep_near(bodies, i, gather(cell_[i]));
+void Neighbours::list(const HugeVector<Disk>& disks, Index i) {
+  const std::uint32_t found = keep_near(disks, i, gather(cell_[i]));
   if (stamp_ > 0xfffffff0U) {
     std::fill(seen_.begin(), seen_.end(), 0);
     stamp_ = 0;
@@ -197,15 +197,15 @@ void Neighbours::list(const HugeVector<Body>& bodies, Index i) {
   lists_.assign(i, found_.data(), found);
 }
 
-const std::vector<Index>& Neighbours::renew(const HugeVector<Body>& bodies, Index i, Ticks now) {
-  set_square(bodies[i], i, now);
+const std::vector<Index>& Neighbours::renew(const HugeVector<Disk>& disks, Index i, Ticks now) {
+  set_square(disks[i], i, now);
   const std::uint32_t cell = cell_of(centres_[i]);
   if (cell != cell_[i]) {
     cells_.remove(cell_[i], i);
     cells_.add(cell, i);
     cell_[i] = cell;
   }
-  list(bodies, i);
+  list(disks, i);
   return fresh_;
 }
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solvers/event/body.hpp"
+#include "solvers/event/disk.hpp"
 #include "solvers/event/huge_pages.hpp"
 #include "solvers/event/motion.hpp"
 #include "solvers/event/short_lists.hpp"
@@ -24,11 +24,11 @@ class Neighbours {
 
   explicit Neighbours(const Motion& motion) : motion_(motion) {}
 
-  void reset(const HugeVector<Body>& bodies, Ticks now);
+  void reset(const HugeVector<Disk>& disks, Ticks now);
   /// A new square and list for a ball; gives the neighbours it did not have before.
-  [[nodiscard]] const std::vector<Index>& renew(const HugeVector<Body>& bodies, Index i, Ticks now);
+  [[nodiscard]] const std::vector<Index>& renew(const HugeVector<Disk>& disks, Index i, Ticks now);
   /// When the ball leaves its square.
-  [[nodiscard]] Ticks leaving(const Body& body, Index i, Ticks now) const;
+  [[nodiscard]] Ticks leaving(const Disk& disk, Index i, Ticks now) const;
 
   [[nodiscard]] const Lists& lists() const { return lists_; }
   /// Half the side of a square.
@@ -47,13 +47,13 @@ class Neighbours {
     double x, y;
   };
 
-  void choose_skin(const HugeVector<Body>& bodies);
-  void set_square(const Body& body, Index i, Ticks now);
+  void choose_skin(const HugeVector<Disk>& disks);
+  void set_square(const Disk& disk, Index i, Ticks now);
   [[nodiscard]] std::uint32_t cell_of(const Centre& at) const;
   [[nodiscard]] std::uint32_t gather(std::uint32_t cell);
-  [[nodiscard]] std::uint32_t keep_near(const HugeVector<Body>& bodies, Index i,
+  [[nodiscard]] std::uint32_t keep_near(const HugeVector<Disk>& disks, Index i,
                                         std::uint32_t candidates);
-  void list(const HugeVector<Body>& bodies, Index i);
+  void list(const HugeVector<Disk>& disks, Index i);
 
   const Motion& motion_;
   double skin_ = 0;

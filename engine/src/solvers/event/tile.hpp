@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solvers/event/agenda.hpp"
-#include "solvers/event/body.hpp"
+#include "solvers/event/disk.hpp"
 #include "solvers/event/huge_pages.hpp"
 #include "solvers/event/motion.hpp"
 #include "solvers/event/neighbours.hpp"
@@ -41,13 +41,13 @@ class Tile {
   Tile& operator=(const Tile&) = delete;
 
   /// Takes these flights, the others are forgotten; `now` is not before any of their starts.
-  void reset(const std::vector<Body>& bodies, Ticks now);
+  void reset(const std::vector<Disk>& disks, Ticks now);
   /// Everything up to `until` has happened then.
   void advance_to(Ticks until);
   /// Counts time from `by` ticks later on; nothing else changes.
   void rebase(Ticks by);
 
-  [[nodiscard]] const HugeVector<Body>& bodies() const { return bodies_; }
+  [[nodiscard]] const HugeVector<Disk>& disks() const { return disks_; }
   [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
   [[nodiscard]] std::size_t bytes() const;
@@ -64,13 +64,13 @@ class Tile {
   void look_at_pegs(Index i, const Index* others, std::uint32_t count, Meeting& best) const;
   void link(Index i, const Meeting& best);
   void unlink(Index i);
-  void announce(Index i) { agenda_.add(bodies_[i].due(), i); }
+  void announce(Index i) { agenda_.add(disks_[i].due(), i); }
   void start_agenda(Ticks now);
   void fetch(std::span<const Agenda::Entry> entries, std::span<const Agenda::Entry> after) const;
   void watch(Ticks now);
 
   Motion motion_;
-  HugeVector<Body> bodies_;
+  HugeVector<Disk> disks_;
   Neighbours neighbours_{motion_};
   Agenda agenda_;
   Counts counts_;

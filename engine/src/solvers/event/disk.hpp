@@ -21,7 +21,7 @@ inline constexpr Ticks kEver = -(Ticks{1} << 62);
 ///
 /// Holds: the flight is where, when and how fast the ball left its last impact, and changes only
 /// there.  The rest is bookkeeping: it may be early without changing a bit of the result.
-struct alignas(64) Body {
+struct alignas(64) Disk {
   double x = 0;  ///< at `start`, as are y, vx and vy
   double y = 0;
   double vx = 0;

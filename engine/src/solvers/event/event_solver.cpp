@@ -1,0 +1,258 @@
+#include "solvers/event/event_solver.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "state/balls.hpp"
+#include "state/totals.hpp"
+
+namespace carom {
+namespace {
+
+using event::Disk;
+using event::Index;
+using event::Kind;
+using event::Ticks;
+
+constexpr double kRoomForSpeed = 4;        // of the light balls of a mixture, in thermal speeds
+constexpr std::size_t kManyBalls = 4000;   // from here on their order in memory matters
+constexpr std::uint64_t kSortAfter = 100;  // impacts of each ball
+
+std::array<double, 2> gravity_of(const Effects& effects) {
+  if (!effects.gravity) return {0, 0};
+  return {effects.gravity->acceleration.x(), effects.gravity->acceleration.y()};
+}
+
+}  // namespace
+
+EventSolver::EventSolver(const Scene& scene, const std::vector<Ball>& balls)
+    : domain_(scene.box, scene.effects.walls.has_value()), effects_(scene.effects), balls_(balls) {
+  for (Ball& ball : balls_) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      double& x = ball.position[static_cast<Eigen::Index>(axis)];
+      if (domain_.period[axis] > 0) x = domain_.wrapped(axis, x);
+    }
+    if (ball.fixed) ball.velocity = {0, 0};
+  }
+  scale_ = fitting_scale();
+  if (scene.continuation) now_ = moment(scene.continuation->time);
+  target_ = now_;
+  for (const Ball& ball : balls_) {
+    Disk disk;
+    disk.x = ball.position.x();
+    disk.y = ball.position.y();
+    disk.vx = ball.velocity.x();
+    disk.vy = ball.velocity.y();
+    disk.start = now_.ticks;
+    flights_.push_back(disk);
+  }
+  start();
+}
+
+EventSolver::Moment EventSolver::moment(double seconds) const {
+  const double ticks = seconds * scale_.per_second();
+  const double era = std::floor(ticks / static_cast<double>(kEra));
+  return {era, static_cast<Ticks>(ticks - era * static_cast<double>(kEra))};
+}
+
+// From the fastest ball, what falling across the box adds, and the speed that the lightest ball
+// gets when all share the energy.
+event::TickScale EventSolver::fitting_scale() const {
+  const double width = domain_.upper[0] - domain_.lower[0];
+  const double height = domain_.upper[1] - domain_.lower[1];
+  double square = 0;
+  double energy = 0;
+  double lightest = 0;
+  std::size_t moving = 0;
+  for (const Ball& ball : balls_) {
+    if (ball.fixed) continue;
+    const double speed_square = ball.velocity.squaredNorm();
+    square = std::max(square, speed_square);
+    energy += ball.mass * speed_square / 2;
+    lightest = moving == 0 ? ball.mass : std::min(lightest, ball.mass);
+    ++moving;
+  }
+  const auto [gx, gy] = gravity_of(effects_);
+  double speed = std::sqrt(square) + std::sqrt(std::abs(gx) * width + std::abs(gy) * height);
+  if (moving > 0) {
+    const double share = energy / static_cast<double>(moving);
+    speed = std::max(speed, kRoomForSpeed * std::sqrt(share / lightest));
+  }
+  return speed > 0 ? event::TickScale(std::min(width, height) / speed) : event::TickScale(1);
+}
+
+std::vector<Phase> EventSolver::phases() {
+  return {{"impacts",
+           [this](Share share) {
+             if (share.index == 0) advance();
+           },
+           [] { return Phase::kFrameDone; }}};
+}
+
+std::size_t EventSolver::aim(double time) {
+  const Moment wanted = moment(time);
+  if (wanted.era < now_.era || (wanted.era == now_.era && wanted.ticks <= now_.ticks)) {
+    return Phase::kFrameDone;
+  }
+  target_ = wanted;
+  return 0;
+}
+
+void EventSolver::advance() {
+  while (now_.era < target_.era) {
+    tile_->advance_to(kEra);
+    tile_->rebase(kEra);
+    now_ = {now_.era + 1, 0};
+  }
+  tile_->advance_to(target_.ticks);
+  now_ = target_;
+  const std::uint64_t impacts = tile_->counts().ball_ball + tile_->counts().ball_wall;
+  if (balls_.size() >= kManyBalls && impacts - sorted_at_ > kSortAfter * balls_.size()) {
+    land();
+    start();
+  }
+}
+
+// Takes the flights out of the tile, into the order of the balls.
+void EventSolver::land() {
+  balls_ = state();
+  flights_.resize(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) flights_[i] = tile_->disks()[slot_[i]];
+  const event::Counts& counts = tile_->counts();
+  before_.ball_ball += counts.ball_ball;
+  before_.ball_wall += counts.ball_wall;
+  before_.max_overlap = std::max(before_.max_overlap, counts.max_overlap);
+}
+
+// Neighbours in the plane are put next to each other in memory: no result depends on it.
+void EventSolver::sort_by_place() {
+  const std::size_t n = balls_.size();
+  std::vector<Index> order(n);
+  std::iota(order.begin(), order.end(), 0U);
+  if (n >= kManyBalls) {
+    const double area =
+        (domain_.upper[0] - domain_.lower[0]) * (domain_.upper[1] - domain_.lower[1]);
+    const double block = 8 * std::sqrt(area / static_cast<double>(n));
+    std::vector<std::pair<double, double>> place(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      place[i] = {std::floor(balls_[i].position.y() / block),
+                  std::floor(balls_[i].position.x() / block)};
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return place[a] < place[b]; });
+  }
+  slot_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) slot_[order[k]] = static_cast<Index>(k);
+}
+
+void EventSolver::start() {
+  event::Rules rules{domain_,
+                     scale_,
+                     gravity_of(effects_),
+                     effects_.collisions.has_value(),
+                     effects_.collisions ? effects_.collisions->restitution : 1,
+                     effects_.walls ? effects_.walls->restitution : 1,
+                     {}};
+  sort_by_place();
+  std::map<std::pair<double, double>, Index> kinds;
+  std::vector<Disk> disks(balls_.size());
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const Kind kind{balls_[i].radius, balls_[i].fixed ? 0 : 1 / balls_[i].mass};
+    const auto [at, added] =
+        kinds.try_emplace({kind.radius, kind.inverse_mass}, static_cast<Index>(rules.kinds.size()));
+    if (added) rules.kinds.push_back(kind);
+    flights_[i].kind = at->second;
+    disks[slot_[i]] = flights_[i];
+  }
+  tile_ = std::make_unique<event::Tile>(std::move(rules));
+  tile_->reset(disks, now_.ticks);
+  flights_.clear();
+  sorted_at_ = 0;
+}
+
+void EventSolver::add(const Ball& ball) {
+  land();
+  balls_.push_back(ball);
+  Disk disk;
+  disk.x = ball.position.x();
+  disk.y = ball.position.y();
+  disk.vx = ball.fixed ? 0 : ball.velocity.x();
+  disk.vy = ball.fixed ? 0 : ball.velocity.y();
+  disk.start = now_.ticks;
+  flights_.push_back(disk);
+  start();
+}
+
+void EventSolver::remove(std::size_t ball) {
+  land();
+  balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(ball));
+  flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(ball));
+  start();
+}
+
+// A new field bends the flights: they start anew where they are.
+void EventSolver::set(const Effects& effects) {
+  land();
+  if (effects.walls) effects_.walls = effects.walls;
+  if (effects.collisions) effects_.collisions = effects.collisions;
+  if (effects.gravity) {
+    for (Disk& disk : flights_) {
+      if (disk.start != event::kEver) tile_->motion().carry(disk, now_.ticks);
+    }
+    effects_.gravity = effects.gravity;
+  }
+  start();
+}
+
+std::vector<Ball> EventSolver::state() const {
+  std::vector<Ball> result = balls_;
+  const event::Motion& motion = tile_->motion();
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    if (result[i].fixed) continue;
+    const Disk& disk = tile_->disks()[slot_[i]];
+    const auto at = motion.wrapped(motion.place(disk, now_.ticks));
+    const auto v = motion.velocity(disk, now_.ticks);
+    result[i].position = {at.x, at.y};
+    result[i].velocity = {v.x, v.y};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (!domain_.solid(axis)) continue;
+      double& x = result[i].position[static_cast<Eigen::Index>(axis)];
+      x = std::clamp(x, domain_.lowest(axis, result[i].radius),
+                     domain_.highest(axis, result[i].radius));
+    }
+  }
+  return result;
+}
+
+std::string EventSolver::state_hash() const {
+  return carom::state_hash(Balls(state()));
+}
+
+double EventSolver::energy() const {
+  const Balls balls(state());
+  const auto [gx, gy] = gravity_of(effects_);
+  return kinetic_energy(balls) +
+         potential_energy(balls, {gx, gy}, {domain_.period[0], domain_.period[1]}, {});
+}
+
+Vec2 EventSolver::momentum() const {
+  return carom::momentum(Balls(state()));
+}
+
+void EventSolver::count(Measurements& measurements) const {
+  const event::Counts& counts = tile_->counts();
+  measurements.ball_ball += before_.ball_ball + counts.ball_ball;
+  measurements.ball_wall += before_.ball_wall + counts.ball_wall;
+  measurements.max_overlap =
+      std::max({measurements.max_overlap, before_.max_overlap, counts.max_overlap});
+}
+
+void EventSolver::save(Scene& scene) const {
+  scene.solver.method = Method::event;
+}
+
+}  // namespace carom

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "solvers/event/tile.hpp"
+#include "solvers/solver.hpp"
+#include "state/domain.hpp"
+
+namespace carom {
+
+/// Method `event`: balls fly on their closed-form paths from impact to impact, in the order of
+/// time.  There is no step; a frame only looks.
+///
+/// Holds: the same bits at any frame rate, number of workers and order in memory.
+/// Threads: one worker does the impacts; the others wait.
+class EventSolver final : public Solver {
+ public:
+  explicit EventSolver(const Scene& scene, const std::vector<Ball>& balls);
+
+  [[nodiscard]] std::vector<Phase> phases() override;
+  void set_workers(std::size_t) override {}
+  [[nodiscard]] std::size_t aim(double time) override;
+  void add(const Ball& ball) override;
+  void remove(std::size_t ball) override;
+  void set(const Effects& effects) override;
+  void set_step(double) override {}
+  [[nodiscard]] std::size_t balls() const override { return balls_.size(); }
+  [[nodiscard]] std::vector<Ball> state() const override;
+  [[nodiscard]] std::string state_hash() const override;
+  [[nodiscard]] double energy() const override;
+  [[nodiscard]] Vec2 momentum() const override;
+  void count(Measurements& measurements) const override;
+  void save(Scene& scene) const override;
+
+ private:
+  /// A moment: whole eras, and ticks of the present one.
+  struct Moment {
+    double era = 0;
+    event::Ticks ticks = 0;
+  };
+  static constexpr event::Ticks kEra = event::Ticks{1} << 60;
+
+  [[nodiscard]] Moment moment(double seconds) const;
+  [[nodiscard]] event::TickScale fitting_scale() const;
+  void advance();
+  void land();
+  void start();
+  void sort_by_place();
+
+  Domain domain_;
+  Effects effects_;
+  std::vector<Ball> balls_;           // as they were at the last `land`
+  std::vector<event::Disk> flights_;  // of the balls, in their order, while there is no tile
+  std::vector<event::Index> slot_;    // where in the tile a ball is
+  event::TickScale scale_;
+  std::unique_ptr<event::Tile> tile_;
+  event::Counts before_;  // counted in tiles that are gone
+  Moment now_;
+  Moment target_;
+  std::uint64_t sorted_at_ = 0;  // impacts when the balls were last put in order
+};
+
+}  // namespace carom

@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "carom/scene_file.hpp"
+#include "solvers/event/event_solver.hpp"
+
+namespace carom {
+namespace {
+
+using nlohmann::json;
+
+json reference(const std::string& name) {
+  std::ifstream in(std::filesystem::path(CAROM_SOURCE_DIR) / "tests/hard/reference" /
+                   (name + ".json"));
+  return json::parse(in);
+}
+
+double number(const json& text) {
+  return std::stod(text.get<std::string>());
+}
+
+void run(EventSolver& solver, double until, int frames) {
+  const std::vector<Phase> phases = solver.phases();
+  for (int frame = 1; frame <= frames; ++frame) {
+    if (solver.aim(frame < frames ? until * frame / frames : until) != Phase::kFrameDone) {
+      phases[0].work(Share{0, 1});
+    }
+  }
+}
+
+class EventReference : public testing::TestWithParam<const char*> {};
+
+// The scenes' exact ends come from 100-digit arithmetic by an independent program; `condition` is
+// how much the flow amplifies a small change of the start.
+TEST_P(EventReference, ends_within_the_rounding_its_condition_allows_after_as_many_impacts) {
+  const json file = reference(GetParam());
+  const Scene scene = parse_scene(file["scene"].dump(), GetParam());
+  const json& expected = file["expected"];
+  const double time = file["time"].get<double>();
+  const double size = std::max(scene.box.width, scene.box.height);
+  const double allowed = 64 * file["condition"].get<double>() * 0x1p-53 * size;
+
+  EventSolver solver(scene, populate(scene));
+  run(solver, time, 1);
+  Measurements measured;
+  solver.count(measured);
+  EXPECT_EQ(measured.ball_ball, expected["ball_ball"].get<std::uint64_t>());
+  EXPECT_EQ(measured.ball_wall, expected["ball_wall"].get<std::uint64_t>());
+  const std::vector<Ball> end = solver.state();
+  double worst = 0;
+  for (std::size_t i = 0; i < end.size(); ++i) {
+    const json& ball = expected["balls"][i];
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      double off = end[i].position[axis] - number(ball["position"][k]);
+      if (scene.box.periodic[k]) off = std::remainder(off, scene.box.size()[axis]);
+      worst = std::max(worst, std::abs(off));
+    }
+  }
+  EXPECT_LE(worst, allowed);
+  RecordProperty("part_of_the_allowance", std::to_string(worst / allowed));
+
+  EventSolver watched(scene, populate(scene));
+  run(watched, time, 997);
+  EXPECT_EQ(watched.state_hash(), solver.state_hash()) << "frames must only look";
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EventReference,
+                         testing::Values("gas", "channel", "mixture", "open", "ideal", "periodic",
+                                         "gravity", "pegs", "pegs-and-gravity", "inelastic"));
+
+}  // namespace
+}  // namespace carom
