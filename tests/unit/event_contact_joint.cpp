@@ -6,6 +6,7 @@
 
 #include "contact/event_joint_impact.hpp"
 #include "contact/event_pair_time.hpp"
+#include "support/exact_number.hpp"
 #include "support/random_numbers.hpp"
 
 namespace carom::event {
@@ -235,7 +236,7 @@ Group random_group(RandomNumbers& random, Held held) {
 
 TEST(EventJointImpact, OfRandomGroupsEndsWithNothingApproachingAndNoEnergyMade) {
   RandomNumbers random(2);
-  for (int n = 0; n < 100; ++n) {
+  for (int n = 0; n < 40; ++n) {
     const Held held = n % 2 == 0 ? Held::kNowhere : Held::kByTwoWalls;
     const Group before = random_group(random, held);
     if (before.contacts.empty()) continue;
@@ -259,25 +260,34 @@ TEST(EventJointImpact, OfRandomGroupsEndsWithNothingApproachingAndNoEnergyMade) 
   }
 }
 
-TEST(EventJointImpact, OfWedgedBallsEndsToo) {
+TEST(EventJointImpact, OfWedgedBallsEndsTooThoughTheyWouldBounceForEver) {
+  Group wedged;  // between two fixed balls that leave no room
+  wedged.bodies = {{{0.3, 0.4}, 1}, {{0, 0}, 0}, {{0, 0}, 0}};
+  wedged.contacts = {{0, 1, {0.6, 0.8}, 1}, {0, 2, {-0.6, -0.8}, 1}};
+  wedged.resolve();
+  EXPECT_FALSE(approaches(wedged));
+  EXPECT_LE(energy(wedged), 1e-30);
+
+  Group between_walls;  // as tall as its box: it glides on
+  between_walls.bodies = {{{0.3, 0.4}, 1}};
+  between_walls.contacts = {{0, kWall, {0, 1}, 1}, {0, kWall, {0, -1}, 1}};
+  between_walls.resolve();
+  EXPECT_EQ(between_walls.bodies[0].velocity, (V{0.3, 0}));
+
   RandomNumbers random(5);
-  int locked = 0;
-  for (int n = 0; n < 6; ++n) {
+  for (int n = 0; n < 3; ++n) {
     const Group before = random_group(random, Held::kByWallsAndFixedBalls);
     Group group = before;
-    const auto report = group.resolve();
+    group.resolve();
     EXPECT_FALSE(approaches(group)) << n;
     EXPECT_LE(energy(group), energy(before) * (1 + 1e-13)) << n;
-    locked += report.locked;
   }
-  EXPECT_GT(locked, 0);
 }
 
 TEST(EventJointImpact, OfRandomGroupsDoesNotSeeOrderMirrorsOrAxes) {
   RandomNumbers random(3);
-  for (int n = 0; n < 40; ++n) {
-    const Group before =
-        random_group(random, n % 20 == 0 ? Held::kByWallsAndFixedBalls : static_cast<Held>(n % 2));
+  for (int n = 0; n < 16; ++n) {
+    const Group before = random_group(random, static_cast<Held>(n % 2));
     Group plain = before;
     plain.resolve();
     std::vector<std::size_t> where;
@@ -309,6 +319,30 @@ TEST(EventJointImpact, BetweenAWallAndAHeavyBallCountsThePiBilliard) {
     EXPECT_EQ(group.resolve().impacts, expected[k]);
     EXPECT_NEAR(energy(group), std::pow(100.0, k) / 2, 1e-12 * std::pow(100.0, k));
   }
+}
+
+TEST(EventJointImpact, InAHundredDigitsKeepsTheRacksEnergyToAllOfThem) {
+  using test::Exact;
+  const Rack rack(4, 1);
+  std::vector<Body<Exact>> bodies;
+  std::vector<Contact<Exact>> contacts;
+  for (const auto& b : rack.group.bodies) {
+    bodies.push_back({{Exact(b.velocity.x), Exact(b.velocity.y)}, Exact(b.inverse_mass)});
+  }
+  for (const auto& c : rack.group.contacts) {
+    contacts.push_back({c.a, c.b, {Exact(c.r.x), Exact(c.r.y)}, Exact(1)});
+  }
+  Group twin = rack.group;
+  twin.resolve();
+  joint_impact(std::span<Body<Exact>>(bodies), std::span<const Contact<Exact>>(contacts));
+  Exact sum = 0;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const auto& v = bodies[k].velocity;
+    sum += (v.x * v.x + v.y * v.y) / bodies[k].inverse_mass / 2;
+    EXPECT_LE(abs(v.x - twin.bodies[k].velocity.x), 1e-14);
+    EXPECT_LE(abs(v.y - twin.bodies[k].velocity.y), 1e-14);
+  }
+  EXPECT_LE(abs(sum - Exact(0.5)), Exact("1e-97"));
 }
 
 TEST(EventJointImpact, AnInelasticGroupMovesOnAsOne) {
