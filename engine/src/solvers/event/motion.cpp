@@ -87,6 +87,27 @@ Ticks Motion::pair_meets(const Disk& a, const Disk& b, bool from_contact) const 
   return ticks == kNever ? kNever : later.start + ticks;
 }
 
+Motion::Wall Motion::wall(const Disk& disk, const Vec<double>& at, Index wall) const {
+  const std::size_t axis = (wall - kWalls) / 2;
+  const double x = axis == 0 ? at.x : at.y;
+  const double radius = kind(disk).radius;
+  if ((wall - kWalls) % 2 == 0) {
+    const double stop = rules_.domain.lowest(axis, radius);
+    return {x - stop, stop};
+  }
+  const double stop = rules_.domain.highest(axis, radius);
+  return {stop - x, stop};
+}
+
+Ticks Motion::wall_meets(const Disk& disk, Index wall) const {
+  const std::size_t axis = (wall - kWalls) / 2;
+  const double sign = (wall - kWalls) % 2 == 0 ? 1 : -1;
+  const double gap = this->wall(disk, {disk.x, disk.y}, wall).gap;
+  const double v = axis == 0 ? disk.vx : disk.vy;
+  const Ticks wait = rules_.scale.ticks(wall_time(gap, sign * v, sign * rules_.gravity[axis]));
+  return wait == kNever ? kNever : disk.start + wait;
+}
+
 Meeting Motion::wall_meeting(const Disk& disk, std::size_t axis) const {
   const double x = axis == 0 ? disk.x : disk.y;
   const double v = axis == 0 ? disk.vx : disk.vy;

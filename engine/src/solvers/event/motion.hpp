@@ -71,6 +71,15 @@ class Motion {
   /// Lengths of the axes, infinite where an axis is not periodic.
   [[nodiscard]] const std::array<double, 2>& periods() const { return periods_; }
 
+  /// How far a place is from touching a wall (negative: beyond), and where touching leaves it.
+  struct Wall {
+    double gap;
+    double stop;
+  };
+  [[nodiscard]] Wall wall(const Disk& disk, const Vec<double>& at, Index wall) const;
+  /// When it meets this wall.
+  [[nodiscard]] Ticks wall_meets(const Disk& disk, Index wall) const;
+
  private:
   [[nodiscard]] Meeting wall_meeting(const Disk& disk, std::size_t axis) const;
 

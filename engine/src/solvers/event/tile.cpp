@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -33,6 +34,7 @@ void Tile::reset(const std::vector<Disk>& disks, Ticks now) {
   }
   left_.clear();
   if (pegs && motion_.falls()) left_.assign(n, kUnknown);
+  ties_.clear();
   instant_ = now;
   at_once_ = 0;
   start_agenda(now);
@@ -128,10 +130,21 @@ void Tile::look_at(Index i, const Index* others, std::uint32_t count, Ticks now,
     const Lanes longest = zero + static_cast<double>(kLongestFlight);
     WholeLanes at = later + __builtin_convertvector(wait < longest ? wait : zero, WholeLanes);
     at = at > now ? at : none + now;
-    at = at < meets ? at : none + kNever;
     at = wait < longest ? at : none + kNever;
+    const WholeLanes tie = (at == meets) & (at < kNever);
+    if ((tie[0] | tie[1] | tie[2] | tie[3]) != 0) {
+      for (std::uint32_t l = 0; l < kLanes; ++l) {
+        if (tie[l] != 0 && disk[l]->partner != i) note_tie(at[l]);
+      }
+    }
+    at = at < meets ? at : none + kNever;
     for (std::uint32_t l = 0; l < kLanes; ++l) {
-      if (at[l] < best.time) best = {at[l], others[from + l]};
+      if (at[l] > best.time) continue;
+      if (at[l] < best.time) {
+        best = {at[l], others[from + l]};
+      } else if (at[l] != kNever) {
+        note_tie(at[l]);
+      }
     }
   }
 }
@@ -157,6 +170,7 @@ void Tile::look_at(Index i, const Index* others, std::uint32_t count, Ticks now,
 void Tile::look_at_pegs(Index i, const Index* others, std::uint32_t count, Meeting& best) const {
   for (std::uint32_t n = 0; n < count; ++n) {
     const Ticks at = motion_.pair_meets(disks_[i], disks_[others[n]], left_[i] == others[n]);
+    if (at == best.time && at != kNever) note_tie(at);
     if (at < best.time) best = {at, others[n]};
   }
 }
@@ -175,6 +189,7 @@ void Tile::scan(Index i, Ticks now) {
     }
   }
   const Meeting alone = motion_.alone(me);
+  if (alone.time == best.time && alone.partner != kCarry) note_tie(alone.time);
   if (alone.time < best.time) best = alone;
   best.time = std::max(best.time, now);
   link(i, best);
@@ -216,18 +231,28 @@ void Tile::watch(Ticks now) {
   }
 }
 
-void Tile::meet_ball(Index i, Index j, Ticks now) {
-  counts_.max_overlap = std::max(counts_.max_overlap, motion_.strike(disks_[i], disks_[j], now));
+// After a new flight has begun.
+void Tile::look_again(Index i, Ticks now) {
+  if (motion_.fixed(disks_[i])) return;
+  if (motion_.rules().collisions) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
+  scan(i, now);
+  announce(i);
+}
+
+void Tile::meet_alone(Index i, Index partner, Ticks now) {
+  if (partner >= kWalls) {
+    motion_.bounce(disks_[i], partner, now);
+    ++counts_.ball_wall;
+    if (!left_.empty()) left_[i] = kUnknown;
+    return;
+  }
+  counts_.max_overlap =
+      std::max(counts_.max_overlap, motion_.strike(disks_[i], disks_[partner], now));
   ++counts_.ball_ball;
   if (!left_.empty()) {
-    left_[i] = motion_.fixed(disks_[j]) ? j : kUnknown;
-    left_[j] = kUnknown;
+    left_[i] = motion_.fixed(disks_[partner]) ? partner : kUnknown;
+    left_[partner] = kUnknown;
   }
-  if (motion_.fixed(disks_[j])) return;
-  forget(j);
-  disks_[j].leaves = neighbours_.leaving(disks_[j], j, now);
-  scan(j, now);
-  announce(j);
 }
 
 void Tile::meet(Index i, Ticks now) {
@@ -235,27 +260,48 @@ void Tile::meet(Index i, Ticks now) {
   forget(i);
   if (partner == kUnknown) {
     ++counts_.vain;
-  } else {
-    if (partner < kFirstMark) {
-      watch(now);
-      if (!motion_.fixed(disks_[partner])) forget(partner);
-      meet_ball(i, partner, now);
-    } else {
-      if (!left_.empty()) left_[i] = kUnknown;
-      if (partner == kCarry) {
-        motion_.carry(disks_[i], now);
-      } else {
-        watch(now);
-        motion_.bounce(disks_[i], partner, now);
-        ++counts_.ball_wall;
-      }
-    }
-    if (motion_.rules().collisions) {
-      disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
-    }
+    scan(i, now);
+    announce(i);
+    return;
   }
-  scan(i, now);
-  announce(i);
+  if (partner == kCarry) {
+    if (!left_.empty()) left_[i] = kUnknown;
+    motion_.carry(disks_[i], now);
+    look_again(i, now);
+    return;
+  }
+  watch(now);
+  const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
+  if (ball) forget(partner);
+  if (tied(now)) {
+    meet_jointly(i, partner, now);
+    return;
+  }
+  const Disk before = disks_[i];
+  const Disk partner_before = ball ? disks_[partner] : Disk{};
+  const Counts counts = counts_;
+  const Index left = left_.empty() ? kUnknown : left_[i];
+  const Index partner_left = left_.empty() || !ball ? kUnknown : left_[partner];
+  meet_alone(i, partner, now);
+  if (ball) look_again(partner, now);
+  look_again(i, now);
+  if (disks_[i].meets != now && !(ball && disks_[partner].meets == now)) return;
+  // The blow is passed on at once: take it back, and resolve all that touches together.
+  counts_ = counts;
+  const auto take_back = [this](Index k, const Disk& flight) {
+    unlink(k);
+    const Ticks leaves = disks_[k].leaves;
+    disks_[k] = flight;
+    disks_[k].leaves = leaves;
+    forget(k);
+  };
+  take_back(i, before);
+  if (ball) take_back(partner, partner_before);
+  if (!left_.empty()) {
+    left_[i] = left;
+    if (ball) left_[partner] = partner_left;
+  }
+  meet_jointly(i, partner, now);
 }
 
 void Tile::next_event(Index i, Ticks now) {
@@ -323,6 +369,9 @@ void Tile::rebase(Ticks by) {
     if (disk.leaves != kNever) disk.leaves -= by;
   }
   instant_ -= by;
+  std::set<Ticks> ties;
+  for (const Ticks at : ties_) ties.insert(at - by);
+  ties_ = std::move(ties);
   agenda_.rebase(by);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct Counts {
 /// first of its balls that has nothing earlier.  Whoever takes a ball from its partner leaves the
 /// partner with a time before which nothing can happen to it, and that it is looked at again then.
 ///
+/// Impacts of the same tick that share a ball, and those that a blow passes on to balls that touch,
+/// are resolved together, by rules that do not see an order.
+///
 /// Holds: for every pair, the earlier of the two balls' `meets` is not after their impact.
 /// Errors: std::runtime_error where impacts follow each other without time passing.
 /// Source: B. Lubachevsky, How to simulate billiards and similar systems, J. Comput. Phys. 94
@@ -55,8 +59,9 @@ class Tile {
  private:
   void next_event(Index i, Ticks now);
   void meet(Index i, Ticks now);
-  void meet_ball(Index i, Index j, Ticks now);
+  void meet_alone(Index i, Index partner, Ticks now);
   void forget(Index i);
+  void look_again(Index i, Ticks now);
   void scan(Index i, Ticks now);
   template <bool kFalls>
   void look_at(Index i, const Index* others, std::uint32_t count, Ticks now, Meeting& best) const;
@@ -69,14 +74,24 @@ class Tile {
   void fetch(std::span<const Agenda::Entry> entries, std::span<const Agenda::Entry> after) const;
   void watch(Ticks now);
 
+  // Impacts of one instant that share a ball: tile_instant.cpp.
+  struct Instant;
+  void note_tie(Ticks at) const { ties_.insert(at); }
+  [[nodiscard]] bool tied(Ticks now);
+  void meet_jointly(Index i, Index partner, Ticks now);
+  void add_member(Instant& instant, Index i, Ticks now) const;
+  void add_contacts(Instant& instant, std::size_t member, Ticks now) const;
+  [[nodiscard]] bool touch(Index i, Index j, Ticks now, const Vec<double>& r) const;
+
   Motion motion_;
   HugeVector<Disk> disks_;
   Neighbours neighbours_{motion_};
   Agenda agenda_;
   Counts counts_;
   std::vector<Index> left_;  ///< the fixed ball a flight began at; only where balls fall on pegs
-  Ticks instant_ = 0;        ///< of the last impact
-  std::size_t at_once_ = 0;  ///< impacts at that instant
+  mutable std::set<Ticks> ties_;  ///< when two impacts may share a ball
+  Ticks instant_ = 0;             ///< of the last impact
+  std::size_t at_once_ = 0;       ///< impacts at that instant
 };
 
 }  // namespace carom::event

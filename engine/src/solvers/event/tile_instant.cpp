@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "contact/event_joint_impact.hpp"
+#include "solvers/event/tile.hpp"
+
+namespace carom::event {
+
+/// The balls that touch at one instant, and all their contacts.
+struct Tile::Instant {
+  std::vector<Index> members;  ///< balls and fixed balls; the first is the one it began with
+  std::vector<Vec<double>> places;
+  std::vector<Body<double>> bodies;
+  std::vector<Contact<double>> contacts;
+  struct Stop {
+    std::size_t member;
+    Index wall;
+  };
+  std::vector<Stop> stops;  ///< the contacts with walls
+
+  [[nodiscard]] std::size_t find(Index i) const {
+    return static_cast<std::size_t>(std::find(members.begin(), members.end(), i) - members.begin());
+  }
+};
+
+bool Tile::tied(Ticks now) {
+  if (ties_.empty()) return false;
+  ties_.erase(ties_.begin(), ties_.lower_bound(now));
+  return !ties_.empty() && *ties_.begin() == now;
+}
+
+bool Tile::touch(Index i, Index j, Ticks now, const Vec<double>& r) const {
+  const Disk& a = disks_[i];
+  const Disk& b = disks_[j];
+  if (!(squared_gap(r, motion_.kind(a).radius + motion_.kind(b).radius) > 0)) return true;
+  const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
+  return motion_.pair_meets(a, b, from_contact) == now;
+}
+
+void Tile::add_member(Instant& instant, Index i, Ticks now) const {
+  const Disk& disk = disks_[i];
+  instant.members.push_back(i);
+  instant.places.push_back(motion_.wrapped(motion_.place(disk, now)));
+  instant.bodies.push_back({motion_.velocity(disk, now), motion_.kind(disk).inverse_mass});
+}
+
+void Tile::add_contacts(Instant& instant, std::size_t member, Ticks now) const {
+  const Index i = instant.members[member];
+  const Disk& disk = disks_[i];
+  const Rules& rules = motion_.rules();
+  if (motion_.fixed(disk)) return;
+  for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
+    if (!rules.domain.solid((wall - kWalls) / 2)) continue;
+    if (motion_.wall(disk, instant.places[member], wall).gap > 0 &&
+        motion_.wall_meets(disk, wall) != now) {
+      continue;
+    }
+    const double side = wall % 2 == kWalls % 2 ? -1 : 1;
+    const Vec<double> towards = wall - kWalls < 2 ? Vec<double>{side, 0} : Vec<double>{0, side};
+    instant.stops.push_back({member, wall});
+    instant.contacts.push_back({static_cast<int>(member), kWall, towards, rules.wall_restitution});
+  }
+  if (!rules.collisions) return;
+  neighbours_.lists().each(i, [&](Index j) {
+    const std::size_t other = instant.find(j);
+    const bool known = other < instant.members.size();
+    const Vec<double> there =
+        known ? instant.places[other] : motion_.wrapped(motion_.place(disks_[j], now));
+    const Vec<double> r = motion_.way(instant.places[member], there);
+    if (!touch(i, j, now, r)) return;
+    if (!known) add_member(instant, j, now);
+    // Each pair once: with the later of its balls, or the one that is not fixed.
+    if (other > member && !motion_.fixed(disks_[j])) return;
+    instant.contacts.push_back(
+        {static_cast<int>(member), static_cast<int>(other), r, rules.restitution});
+  });
+}
+
+void Tile::meet_jointly(Index i, Index partner, Ticks now) {
+  Instant instant;
+  add_member(instant, i, now);
+  if (partner < kFirstMark) add_member(instant, partner, now);
+  for (std::size_t k = 0; k < instant.members.size(); ++k) add_contacts(instant, k, now);
+
+  const std::vector<Body<double>> before = instant.bodies;
+  const JointReport report = joint_impact<double>(instant.bodies, instant.contacts);
+  std::size_t walls = 0;
+  for (const Instant::Stop& stop : instant.stops) {
+    const bool turned = !(before[stop.member].velocity == instant.bodies[stop.member].velocity);
+    if (turned) ++walls;
+  }
+  counts_.ball_wall += walls;
+  counts_.ball_ball += static_cast<std::uint64_t>(std::max(0, report.impacts)) -
+                       std::min<std::uint64_t>(walls, static_cast<std::uint64_t>(report.impacts));
+
+  std::vector<Index> changed;
+  for (std::size_t k = 0; k < instant.members.size(); ++k) {
+    const Index m = instant.members[k];
+    Disk& disk = disks_[m];
+    if (motion_.fixed(disk)) continue;
+    const bool same = before[k].velocity == instant.bodies[k].velocity;
+    if (same && m != i && m != partner) continue;
+    unlink(m);
+    forget(m);
+    changed.push_back(m);
+    if (same) continue;
+    disk.x = instant.places[k].x;
+    disk.y = instant.places[k].y;
+    disk.vx = instant.bodies[k].velocity.x;
+    disk.vy = instant.bodies[k].velocity.y;
+    disk.start = now;
+    if (!left_.empty()) left_[m] = kUnknown;
+  }
+  for (const Instant::Stop& stop : instant.stops) {
+    Disk& disk = disks_[instant.members[stop.member]];
+    if (disk.start != now) continue;
+    const double at = motion_.wall(disk, {disk.x, disk.y}, stop.wall).stop;
+    (stop.wall - kWalls < 2 ? disk.x : disk.y) = at;
+  }
+  if (!left_.empty()) {
+    for (const Contact<double>& contact : instant.contacts) {
+      if (contact.b == kWall) continue;
+      const Index a = instant.members[static_cast<std::size_t>(contact.a)];
+      const Index b = instant.members[static_cast<std::size_t>(contact.b)];
+      if (motion_.fixed(disks_[b]) && disks_[a].start == now) left_[a] = b;
+    }
+  }
+  for (const Index m : changed) look_again(m, now);
+}
+
+}  // namespace carom::event
