@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "solvers/event/tile.hpp"
@@ -61,14 +62,13 @@ void measure(std::size_t n, double packing, double time_limit) {
       balls.push_back(ball);
     }
   }
-  // in blocks of 8 by 8, as a cell order would have them
-  std::stable_sort(balls.begin(), balls.end(), [&](const Disk& a, const Disk& b) {
-    const auto block = [&](const Disk& s) {
-      const auto bx = unsigned(s.x / (8 * spacing)), by = unsigned(s.y / (8 * spacing));
-      return by * 1000 + bx;
-    };
-    return block(a) < block(b);
-  });
+  // In blocks of 8 by 8, as a cell order would have them.  (Not by std::stable_sort, whose buffer
+  // is not aligned as the disks are.)
+  const auto block = [spacing](const Disk& ball) {
+    return std::pair(std::floor(ball.y / (8 * spacing)), std::floor(ball.x / (8 * spacing)));
+  };
+  std::sort(balls.begin(), balls.end(),
+            [&](const Disk& a, const Disk& b) { return block(a) < block(b); });
   double px = 0;
   double py = 0;
   for (const Disk& b : balls) {

@@ -118,6 +118,8 @@ class ShortLists {
       nodes_[at] = Node{};
       return at;
     }
+    // Few lists are long: no room for twice as many nodes is asked for.
+    if (nodes_.size() == nodes_.capacity()) nodes_.reserve(nodes_.size() + nodes_.size() / 16 + 16);
     nodes_.emplace_back();
     return static_cast<std::uint32_t>(nodes_.size() - 1);
   }
