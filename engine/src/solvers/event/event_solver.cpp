@@ -121,7 +121,14 @@ void EventSolver::advance() {
 void EventSolver::land() {
   balls_ = state();
   flights_.resize(slot_.size());
-  for (std::size_t i = 0; i < slot_.size(); ++i) flights_[i] = tile_->disks()[slot_[i]];
+  left_.assign(slot_.size(), event::kUnknown);
+  std::vector<Index> number(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = static_cast<Index>(i);
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    flights_[i] = tile_->disks()[slot_[i]];
+    const Index left = tile_->left(slot_[i]);
+    if (left != event::kUnknown) left_[i] = number[left];
+  }
   const event::Counts& counts = tile_->counts();
   before_.ball_ball += counts.ball_ball;
   before_.ball_wall += counts.ball_wall;
@@ -169,7 +176,12 @@ void EventSolver::start() {
     disks[slot_[i]] = flights_[i];
   }
   tile_ = std::make_unique<event::Tile>(std::move(rules));
-  tile_->reset(disks, now_.ticks);
+  left_.resize(balls_.size(), event::kUnknown);
+  std::vector<Index> left(balls_.size(), event::kUnknown);
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    if (left_[i] != event::kUnknown) left[slot_[i]] = slot_[left_[i]];
+  }
+  tile_->reset(disks, now_.ticks, left);
   flights_.clear();
   sorted_at_ = 0;
 }
@@ -191,6 +203,11 @@ void EventSolver::remove(std::size_t ball) {
   land();
   balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(ball));
   flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(ball));
+  left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ball));
+  for (Index& left : left_) {
+    if (left == event::kUnknown || left < ball) continue;
+    left = left == ball ? event::kUnknown : left - 1;
+  }
   start();
 }
 
@@ -203,6 +220,7 @@ void EventSolver::set(const Effects& effects) {
     for (Disk& disk : flights_) {
       if (disk.start != event::kEver) tile_->motion().carry(disk, now_.ticks);
     }
+    std::fill(left_.begin(), left_.end(), event::kUnknown);
     effects_.gravity = effects.gravity;
   }
   start();

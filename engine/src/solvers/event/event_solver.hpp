@@ -53,6 +53,7 @@ class EventSolver final : public Solver {
   Effects effects_;
   std::vector<Ball> balls_;           // as they were at the last `land`
   std::vector<event::Disk> flights_;  // of the balls, in their order, while there is no tile
+  std::vector<event::Index> left_;    // the fixed ball at which each began, by number
   std::vector<event::Index> slot_;    // where in the tile a ball is
   event::TickScale scale_;
   std::unique_ptr<event::Tile> tile_;

@@ -19,7 +19,7 @@ constexpr double kPerBucket = 24;
 
 Tile::Tile(Rules rules) : motion_(std::move(rules)) {}
 
-void Tile::reset(const std::vector<Disk>& disks, Ticks now) {
+void Tile::reset(const std::vector<Disk>& disks, Ticks now, const std::vector<Index>& left) {
   const auto n = static_cast<Index>(disks.size());
   disks_.assign(disks.begin(), disks.end());
   bool pegs = false;
@@ -33,7 +33,10 @@ void Tile::reset(const std::vector<Disk>& disks, Ticks now) {
     }
   }
   left_.clear();
-  if (pegs && motion_.falls()) left_.assign(n, kUnknown);
+  if (pegs && motion_.falls()) {
+    left_ = left;
+    left_.resize(n, kUnknown);
+  }
   ties_.clear();
   instant_ = now;
   at_once_ = 0;

@@ -45,13 +45,17 @@ class Tile {
   Tile& operator=(const Tile&) = delete;
 
   /// Takes these flights, the others are forgotten; `now` is not before any of their starts.
-  void reset(const std::vector<Disk>& disks, Ticks now);
+  /// `left`: the fixed ball at which each flight began, kUnknown where there is none; empty:
+  /// nowhere.
+  void reset(const std::vector<Disk>& disks, Ticks now, const std::vector<Index>& left = {});
   /// Everything up to `until` has happened then.
   void advance_to(Ticks until);
   /// Counts time from `by` ticks later on; nothing else changes.
   void rebase(Ticks by);
 
   [[nodiscard]] const HugeVector<Disk>& disks() const { return disks_; }
+  /// The fixed ball at which a flight began; kUnknown where there is none or it does not matter.
+  [[nodiscard]] Index left(Index i) const { return left_.empty() ? kUnknown : left_[i]; }
   [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
   [[nodiscard]] std::size_t bytes() const;
