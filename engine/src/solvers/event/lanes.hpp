@@ -3,6 +3,9 @@
 #include <cmath>
 #include <cstdint>
 
+// How lanes are passed depends on the processor's registers; they never leave a translation unit.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace carom::event {
 
 /// Four numbers that are computed with side by side; each lane rounds as a plain double does.

@@ -371,9 +371,9 @@ void Tile::rebase(Ticks by) {
     if (disk.meets != kNever) disk.meets -= by;
     if (disk.leaves != kNever) disk.leaves -= by;
   }
-  instant_ -= by;
+  instant_ = instant_ >= by ? instant_ - by : -1;
   std::set<Ticks> ties;
-  for (const Ticks at : ties_) ties.insert(at - by);
+  for (auto at = ties_.lower_bound(by); at != ties_.end(); ++at) ties.insert(*at - by);
   ties_ = std::move(ties);
   agenda_.rebase(by);
 }
