@@ -61,7 +61,7 @@ void GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactCou
   group.load(balls, pairs, domain_);
   const Vec2& acceleration = rule_.acceleration;
   const bool falls = acceleration.x() != 0 || acceleration.y() != 0;
-  const bool rests = falls && rule_.restitution < 1 && group.bound(domain_);
+  const bool rests = falls && rule_.restitution < 1 && group.bound;
   const double energy = falls ? group.kinetic_energy() : 0;
   const bool calm =
       sweep(group, rests ? kPileImpactPasses : kImpactPasses,
@@ -71,7 +71,7 @@ void GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactCou
     const double a = group.members[contact.a].inverse_mass / contact.inverse_masses;
     return group.separate(contact, domain_, a, 1 - a);
   });
-  if (falls && group.bound(domain_)) {
+  if (falls && group.bound) {
     const double work = group.lifting_work(acceleration);
     const double set_free = std::max(0.0, energy - group.kinetic_energy());
     const bool elastic = rule_.restitution == 1;

@@ -18,9 +18,14 @@ double inside(const Member& member, const Domain& domain, std::size_t axis) {
   return std::clamp(x, domain.lowest(axis, member.radius), domain.highest(axis, member.radius));
 }
 
-void keep_inside(Member& member, const Domain& domain) {
-  if (member.inverse_mass == 0) return;
-  member.position = {inside(member, domain, 0), inside(member, domain, 1)};
+// A fixed ball, or one that is at a wall.
+bool held(const Member& member, const Domain& domain) {
+  if (member.inverse_mass == 0) return true;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (!domain.solid(axis)) continue;
+    if (at_side(member, domain, axis, -1) || at_side(member, domain, axis, 1)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -64,6 +69,8 @@ void ContactGroup::load(const Balls& balls, std::span<const Pair> pairs, const D
     contact.touching = contact.line.distance < contact.reach;
     contacts.push_back(contact);
   }
+  bound = std::any_of(members.begin(), members.end(),
+                      [&](const Member& member) { return held(member, domain); });
 }
 
 void ContactGroup::store(Balls& balls, const Domain& domain) const {
@@ -99,15 +106,13 @@ double ContactGroup::lifting_work(const Vec2& acceleration) const {
   return sum;
 }
 
-bool ContactGroup::bound(const Domain& domain) const {
-  return std::any_of(members.begin(), members.end(), [&](const Member& member) {
-    if (member.inverse_mass == 0) return true;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      if (!domain.solid(axis)) continue;
-      if (at_side(member, domain, axis, -1) || at_side(member, domain, axis, 1)) return true;
-    }
-    return false;
-  });
+void ContactGroup::keep_inside(Member& member, const Domain& domain) {
+  if (member.inverse_mass == 0) return;
+  const Vec2 place{inside(member, domain, 0), inside(member, domain, 1)};
+  if (place == member.position) return;
+  // Even if the ball is moved away from the wall again later on, the wall has held it.
+  bound = true;
+  member.position = place;
 }
 
 bool ContactGroup::collide(const Contact& contact, const Domain& domain, const CollisionRule& rule,

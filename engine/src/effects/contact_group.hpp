@@ -40,6 +40,9 @@ class ContactGroup {
  public:
   std::vector<Member> members;
   std::vector<Contact> contacts;
+  /// A fixed ball takes part, or a wall has since loading: momentum need not be kept, and moving
+  /// balls apart can lift the centre of mass.
+  bool bound = false;
 
   void load(const Balls& balls, std::span<const Pair> pairs, const Domain& domain);
   void store(Balls& balls, const Domain& domain) const;
@@ -49,8 +52,6 @@ class ContactGroup {
   [[nodiscard]] double kinetic_energy() const;
   /// The work that the moves since loading have done against a uniform acceleration.
   [[nodiscard]] double lifting_work(const Vec2& acceleration) const;
-  /// A fixed ball or a wall takes part: momentum need not be kept.
-  [[nodiscard]] bool bound(const Domain& domain) const;
 
   /// An impact along the contact, if its balls approach; says whether there was one.
   bool collide(const Contact& contact, const Domain& domain, const CollisionRule& rule,
@@ -61,6 +62,9 @@ class ContactGroup {
   /// Sends a ball that has been driven into the wall it stands at back.
   static void rebound(Member& member, const Domain& domain, const CollisionRule& rule,
                       ImpactCount& count);
+
+ private:
+  void keep_inside(Member& member, const Domain& domain);
 };
 
 }  // namespace carom::effects
