@@ -8,6 +8,7 @@
 
 #include "carom/crew.hpp"
 #include "carom/scene_file.hpp"
+#include "scene/available.hpp"
 #include "solvers/overlap.hpp"
 #include "state/domain.hpp"
 
@@ -15,15 +16,10 @@ namespace carom {
 namespace {
 
 std::unique_ptr<Solver> make_solver(const Scene& scene, const std::vector<Ball>& balls) {
-  const auto refuse = [&scene](const char* place, const char* message) {
-    throw SceneError(scene.name.empty() ? "scene" : scene.name, {{place, message}});
-  };
-  if (scene.solver.method == Method::event) {
-    refuse("/solver/method", "event is not there yet; choose overlap");
+  std::vector<Problem> problems = scene::find_unavailable(scene);
+  if (!problems.empty()) {
+    throw SceneError(scene.name.empty() ? "scene" : scene.name, std::move(problems));
   }
-  if (scene.effects.drag) refuse("/effects/drag", "is not there yet; leave it out");
-  if (scene.effects.friction) refuse("/effects/friction", "is not there yet; leave it out");
-  if (scene.effects.attraction) refuse("/effects/attraction", "is not there yet; leave it out");
   return std::make_unique<OverlapSolver>(scene, balls);
 }
 
@@ -35,6 +31,7 @@ class Simulation::Implementation {
 
   Implementation(const Scene& scene, std::vector<Ball> balls)
       : scene_(scene),
+        method_(choose_method(scene).method),
         solver_(make_solver(scene, balls)),
         // Whoever starts with a thread for each ball keeps one for each ball.
         per_ball_(!scene.workers &&
@@ -127,6 +124,7 @@ class Simulation::Implementation {
   }
 
   const Scene& scene() const { return scene_; }
+  Method method() const { return method_; }
   const Solver& solver() const { return *solver_; }
   double time() const { return time_; }
   std::size_t workers() const { return crew_.workers(); }
@@ -176,6 +174,7 @@ class Simulation::Implementation {
   }
 
   Scene scene_;  // without balls and script
+  Method method_;
   std::unique_ptr<Solver> solver_;
   bool per_ball_;
   double time_;
@@ -207,7 +206,7 @@ std::size_t Simulation::workers() const {
   return implementation_->workers();
 }
 Method Simulation::method() const {
-  return Method::overlap;
+  return implementation_->method();
 }
 double Simulation::step() const {
   return implementation_->scene().solver.step;

@@ -45,12 +45,25 @@ Scene scripted() {
   return scene;
 }
 
+// Begins with all pairs cached, goes on with a list of neighbours, and comes back.
+Scene growing() {
+  Scene scene = test::walled_gas(7, 9, 0.3);
+  scene.box.height += 2;
+  const double top = scene.box.height - 1;
+  scene.script = {{0.1, command::Add{Ball{{2, top}}}},
+                  {0.2, command::Add{Ball{{5, top}, {0, -4}}}},
+                  {0.4, command::Remove{}},
+                  {0.4, command::Remove{7}}};
+  return scene;
+}
+
 std::vector<Case> cases() {
-  return {{"few balls", test::walled_gas(4, 4, 0.4), 4},
-          {"dense and periodic", test::gas(12, 12, 0.85), 0.5},
-          {"pile", test::pile(80, 0.2, 12), 1.5},
-          {"pegs", with_pegs(), 2},
-          {"script", scripted(), 2}};
+  return {{"few balls", test::walled_gas(4, 4, 0.4), 1.5},
+          {"dense and periodic", test::gas(8, 9, 0.85), 0.25},
+          {"pile", test::pile(65, 0.2, 12), 0.75},
+          {"pegs", with_pegs(), 1},
+          {"script", scripted(), 1.5},
+          {"growing", growing(), 0.5}};
 }
 
 std::string run(Scene scene, double time, double frame_rate) {
@@ -94,7 +107,7 @@ TEST(Determinism, WorkSharedOutBetweenPhasesGivesTheSameBits) {
 TEST(Determinism, AnyFrameRateGivesTheSameBits) {
   for (const Case& c : cases()) {
     const std::string expected = run(c.scene, c.time, 30);
-    for (const double rate : {1.0, 7.0, 60.0, 333.3}) {
+    for (const double rate : {1.0, 7.0, 333.3}) {
       EXPECT_EQ(run(c.scene, c.time, rate), expected) << c.name << ", rate " << rate;
     }
   }

@@ -1,5 +1,6 @@
 #include "carom/scene_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -162,23 +163,44 @@ TEST(Footprint, HasNoSpinWithoutFrictionAndNoPairsWithoutCollisions) {
 TEST(Footprint, NamesTheBarriersOfTheCrewThatRuns) {
   for (const char* effects :
        {R"({"walls": {}, "collisions": {}})", R"({"walls": {}})", R"({"collisions": {}})", "{}"}) {
-    for (const char* count : {"3", "70"}) {
-      const Scene scene = parse_scene(std::string(R"({"box": {"width": 20, "height": 10},
-          "workers": 1, "fill": [{"radius": 0.1, "count": )") +
-                                          count + "}], \"effects\": " + effects + "}",
-                                      "scene");
-      std::vector<std::string> barriers = footprint(scene, populate(scene)).barriers;
-      std::vector<std::string> phases;
-      for (const auto& [name, seconds] : Simulation(scene).measure().phases) {
-        // Few balls have all their pairs cached once, and never search for neighbours.
-        if (name != "neighbour_search" || scene.fills[0].count == 70) phases.push_back(name);
+    for (const char* count : {"3", "70", "2100"}) {
+      for (const char* workers : {"1", "2", "20"}) {
+        const Scene scene = parse_scene(
+            fmt::format(R"({{"box": {{"width": 40, "height": 20}}, "workers": {}, "effects": {},
+                            "fill": [{{"radius": 0.1, "count": {}}}]}})",
+                        workers, effects, count),
+            "scene");
+        std::vector<std::string> barriers{"do_frame"};
+        for (const auto& [name, seconds] : Simulation(scene).measure().phases) {
+          barriers.push_back(name);
+        }
+        barriers.emplace_back("frame_done");
+        EXPECT_EQ(footprint(scene, populate(scene)).barriers, barriers) << count << ' ' << workers;
       }
-      std::erase_if(barriers, [](const std::string& name) {
-        return name == "do_frame" || name == "frame_done";
-      });
-      EXPECT_EQ(barriers, phases);
     }
   }
+}
+
+TEST(Footprint, HasNoBarrierThatIsNeverMet) {
+  const auto barriers = [](std::size_t balls, std::size_t workers) {
+    Scene scene;
+    scene.effects.walls.emplace();
+    scene.effects.collisions.emplace();
+    scene.workers = workers;
+    return footprint(scene, std::vector<Ball>(balls)).barriers;
+  };
+  const std::vector<std::string> least{"do_frame", "wall_computation", "pair_computation",
+                                       "frame_done"};
+  EXPECT_EQ(barriers(15, 15), least);
+  EXPECT_EQ(barriers(15, 2), least) << "their touching pairs are too few to be shared out";
+  EXPECT_EQ(barriers(1000, 1), least) << "there is nobody to share with";
+  EXPECT_EQ(barriers(1000, 1000), least) << "to meet costs more than what is shared";
+  EXPECT_EQ(barriers(1000, 2),
+            (std::vector<std::string>{"do_frame", "wall_computation", "pair_computation",
+                                      "pair_resolution", "frame_done"}));
+  EXPECT_EQ(barriers(10000, 2),
+            (std::vector<std::string>{"do_frame", "wall_computation", "neighbour_search",
+                                      "pair_computation", "pair_resolution", "frame_done"}));
 }
 
 }  // namespace

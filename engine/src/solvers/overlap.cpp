@@ -12,11 +12,7 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kManyBalls = 64;       // from here on a list of neighbours pays
-constexpr std::uint64_t kSampling = 31;      // one step in so many has its effects timed
-constexpr std::size_t kFewWorkers = 16;      // more do not share out short work: meeting costs more
-constexpr std::size_t kSharedSearch = 2048;  // balls
-constexpr std::size_t kSharedPairs = 256;    // touching pairs
+constexpr std::uint64_t kSampling = 31;  // one step in so many has its effects timed
 
 }  // namespace
 
@@ -25,6 +21,7 @@ OverlapSolver::OverlapSolver(const Scene& scene, const std::vector<Ball>& balls,
       effects_(scene.effects),
       balls_(balls),
       choice_(pairs),
+      plan_(scene.effects, balls.size(), worker_count(scene, balls.size())),
       step_(scene.solver.step) {
   if (scene.continuation) {
     step_origin_ = scene.continuation->step_origin;
@@ -42,13 +39,21 @@ std::vector<Phase> OverlapSolver::phases() {
   std::vector<Phase> phases;
   phases.push_back({effects_.walls ? "wall_computation" : "flight",
                     [this](Share share) { fly(share); }, [this] { return after_flight(); }});
-  if (!effects_.collisions) return phases;
-  phases.push_back({"neighbour_search", [this](Share share) { search(share); },
-                    [] { return std::size_t{kDetect}; }});
+  if (!plan_.pairs) return phases;
+  const auto next = [&phases] { return phases.size(); };
+  if (plan_.shared_search) {
+    search_ = next();
+    phases.push_back(
+        {"neighbour_search", [this](Share share) { search(share); }, [this] { return detect_; }});
+  }
+  detect_ = next();
   phases.push_back({"pair_computation", [this](Share share) { detect(share); },
                     [this] { return after_detection(); }});
-  phases.push_back(
-      {"pair_resolution", [this](Share share) { resolve(share); }, [this] { return end_step(); }});
+  if (plan_.shared_resolution) {
+    resolve_ = next();
+    phases.push_back({"pair_resolution", [this](Share share) { resolve(share); },
+                      [this] { return end_step(); }});
+  }
   return phases;
 }
 
@@ -128,14 +133,12 @@ void OverlapSolver::fly(std::size_t begin, std::size_t end, Desk& desk) {
 
 std::size_t OverlapSolver::after_flight() {
   if (!effects_.collisions) return end_step();
-  if (!many() || !list_is_stale()) return kDetect;
+  if (!many() || !list_is_stale()) return detect_;
   const Stopwatch stopwatch(taken_ % kSampling == 0, desks_.front().collisions_seconds);
   build_grid();
-  if (balls_.size() >= kSharedSearch && desks_.size() > 1 && desks_.size() <= kFewWorkers) {
-    return kSearch;
-  }
+  if (search_ && desks_.size() > 1 && balls_.size() >= OverlapPlan::kSharedSearch) return *search_;
   for (std::size_t w = 0; w < desks_.size(); ++w) search({w, desks_.size()});
-  return kDetect;
+  return detect_;
 }
 
 void OverlapSolver::search(Share share) {
@@ -171,9 +174,9 @@ std::size_t OverlapSolver::after_detection() {
     std::sort(touching_.begin(), touching_.end());
   }
   groups_.sort(touching_, balls_.size());
-  const bool share_out = groups_.pairs() >= kSharedPairs && desks_.size() > 1 &&
-                         desks_.size() <= kFewWorkers && groups_.largest() * 2 < groups_.pairs();
-  if (share_out) return kResolve;
+  const bool share_out = desks_.size() > 1 && groups_.pairs() >= OverlapPlan::kSharedPairs &&
+                         groups_.largest() * 2 < groups_.pairs();
+  if (resolve_ && share_out) return *resolve_;
   for (std::size_t g = 0; g < groups_.count(); ++g) {
     resolver_.resolve(balls_, groups_.group(g), desks_.front().impacts);
   }
@@ -197,7 +200,7 @@ std::size_t OverlapSolver::end_step() {
 
 bool OverlapSolver::many() const {
   return choice_ == Pairs::neighbours ||
-         (choice_ == Pairs::automatic && balls_.size() >= kManyBalls);
+         (choice_ == Pairs::automatic && balls_.size() >= OverlapPlan::kManyBalls);
 }
 
 bool OverlapSolver::list_is_stale() const {

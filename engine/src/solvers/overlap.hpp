@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "contact/cell_grid.hpp"
@@ -10,6 +11,7 @@
 #include "contact/pair_list.hpp"
 #include "effects/collisions.hpp"
 #include "effects/flight.hpp"
+#include "solvers/overlap_plan.hpp"
 #include "solvers/solver.hpp"
 #include "state/balls.hpp"
 #include "state/domain.hpp"
@@ -28,7 +30,8 @@ namespace carom {
 ///     pair_resolution     each worker: some groups of touching balls, writes those
 ///
 /// Without collisions only the first is there; without walls it is called `flight`.  Work that is
-/// too little to share is done between two phases by the worker that arrives last.
+/// too little to share is done between two phases by the worker that arrives last; a scene that
+/// starts too small ever to share it does not have the phase: see OverlapPlan.
 ///
 /// Holds: no memory from step to step beside the balls: lists of pairs never change the result.
 class OverlapSolver final : public Solver {
@@ -66,7 +69,6 @@ class OverlapSolver final : public Solver {
     double walls_seconds = 0;
     double collisions_seconds = 0;
   };
-  enum PhaseNumber : std::size_t { kFly, kSearch, kDetect, kResolve };
 
   void fly(Share share);
   void fly(std::size_t begin, std::size_t end, Desk& desk);
@@ -87,6 +89,12 @@ class OverlapSolver final : public Solver {
   Effects effects_;
   Balls balls_;
   Pairs choice_;
+  OverlapPlan plan_;  // as the scene started
+  // The numbers of the phases; those that are not there have none.
+  static constexpr std::size_t kFly = 0;
+  std::size_t detect_ = 0;
+  std::optional<std::size_t> search_;
+  std::optional<std::size_t> resolve_;
   double step_;
   double step_origin_ = 0;
   std::uint64_t steps_ = 0;   // since step_origin_

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <numbers>
 
+#include "solvers/overlap_plan.hpp"
+
 namespace carom {
 
 namespace {
 
 constexpr std::size_t kNumber = sizeof(double);
-constexpr std::size_t kAllPairsBelow = 64;  // balls; from here on the neighbours are listed
 constexpr std::size_t kPair = 2 * sizeof(int) + kNumber;
 constexpr std::size_t kCellEntry = 3 * kNumber + 2 * sizeof(int) + 2 * sizeof(int);
 
@@ -41,21 +42,22 @@ Footprint footprint(const Scene& scene, const std::vector<Ball>& balls) {
   if (scene.effects.friction) result.columns.emplace_back("spin", n * kNumber);
   result.workers = worker_count(scene, n);
   result.barriers = {"do_frame", scene.effects.walls ? "wall_computation" : "flight"};
-  if (scene.effects.collisions) {
+  const OverlapPlan plan(scene.effects, n, result.workers);
+  if (plan.pairs) {
     const auto fixed = static_cast<std::size_t>(
         std::count_if(balls.begin(), balls.end(), [](const Ball& ball) { return ball.fixed; }));
     const auto unique = [](std::size_t k) { return k == 0 ? 0 : k * (k - 1) / 2; };
     result.pairs = unique(n) - unique(fixed);
-    if (n < kAllPairsBelow) {
-      result.lists.emplace_back("pairs", result.pairs * kPair);
-    } else {
+    if (plan.neighbour_list) {
       result.lists.emplace_back("pairs", listed_pairs(scene, balls) * kPair);
       result.lists.emplace_back("cells", n * kCellEntry);
       result.lists.emplace_back("anchors", 2 * n * kNumber);
-      result.barriers.emplace_back("neighbour_search");
+    } else {
+      result.lists.emplace_back("pairs", result.pairs * kPair);
     }
+    if (plan.shared_search) result.barriers.emplace_back("neighbour_search");
     result.barriers.emplace_back("pair_computation");
-    result.barriers.emplace_back("pair_resolution");
+    if (plan.shared_resolution) result.barriers.emplace_back("pair_resolution");
   }
   result.barriers.emplace_back("frame_done");
   return result;
