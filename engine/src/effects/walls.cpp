@@ -30,12 +30,25 @@ std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule) 
     flight.after[k] = -outwards * (bounces ? rule.restitution * arrival : 0);
     if (bounces) ++impacts;
   };
-  for (std::size_t k = 0; k < flight.count; ++k) {
-    const double lowest = domain.lowest(flight.axis, flight.radius[k]);
-    const double highest = domain.highest(flight.axis, flight.radius[k]);
-    if (flight.inverse_mass[k] == 0) continue;
-    if (flight.moved[k] < lowest) reflect(k, lowest, -1);
-    if (flight.moved[k] > highest) reflect(k, highest, 1);
+  // Few balls are out: whether any of some is costs no branch for each.
+  constexpr std::size_t kSome = 32;
+  for (std::size_t begin = 0; begin < flight.count; begin += kSome) {
+    const std::size_t end = std::min(begin + kSome, flight.count);
+    std::int64_t out = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+      const double low = domain.lower[flight.axis] + flight.radius[k];
+      const double high = domain.upper[flight.axis] - flight.radius[k];
+      out |= flight.moved[k] < low ? 1 : 0;
+      out |= flight.moved[k] > high ? 1 : 0;
+    }
+    if (out == 0) continue;
+    for (std::size_t k = begin; k < end; ++k) {
+      if (flight.inverse_mass[k] == 0) continue;
+      const double lowest = domain.lowest(flight.axis, flight.radius[k]);
+      const double highest = domain.highest(flight.axis, flight.radius[k]);
+      if (flight.moved[k] < lowest) reflect(k, lowest, -1);
+      if (flight.moved[k] > highest) reflect(k, highest, 1);
+    }
   }
   return impacts;
 }

@@ -117,18 +117,28 @@ void OverlapSolver::fly(std::size_t begin, std::size_t end, Desk& desk) {
   }
   if (!listed_) return;
   const Stopwatch stopwatch(timed, desk.collisions_seconds);
-  double farthest = desk.moved_square;
-  const double* x = balls_.position[0].data();
-  const double* y = balls_.position[1].data();
-  const double* from_x = anchor_[0].data();
-  const double* from_y = anchor_[1].data();
-  for (std::size_t i = begin; i < end; ++i) {
-    const double dx = nearest_image(x[i] - from_x[i], domain_.period[0]);
-    const double dy = nearest_image(y[i] - from_y[i], domain_.period[1]);
-    const double square = dx * dx + dy * dy;
-    farthest = square > farthest ? square : farthest;
+  // In lanes and without branches: which way a ball has gone cannot be foreseen.
+  constexpr std::size_t kLanes = 8;
+  alignas(64) std::array<double, Flight::kBlock> square{};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double* now = balls_.position[axis].data() + begin;
+    const double* from = anchor_[axis].data() + begin;
+    const double period = domain_.period[axis];
+    for (std::size_t k = 0; k < end - begin; ++k) {
+      const double d = std::abs(now[k] - from[k]);
+      // A ball that has gone round comes back by one period; there is none where it is 0.
+      const double other = std::abs(d - period);
+      const double moved = other < d ? other : d;
+      square[k] += moved * moved;
+    }
   }
-  desk.moved_square = farthest;
+  std::array<double, kLanes> farthest{};
+  for (std::size_t k = 0; k < square.size(); k += kLanes) {
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      farthest[l] = square[k + l] > farthest[l] ? square[k + l] : farthest[l];
+    }
+  }
+  for (const double lane : farthest) desk.moved_square = std::max(desk.moved_square, lane);
 }
 
 std::size_t OverlapSolver::after_flight() {
