@@ -50,7 +50,7 @@ CellRange cells_of(const Ellipse& e, const CellRange& clip) {
 }
 
 void cover(const Ellipse& e, const CellRange& range, std::vector<Coverage>& coverage) {
-  constexpr int kSamples = Coverage::samples;
+  constexpr int kSamples = Coverage::kSamples;
   const int columns = std::max(0, range.right - range.left);
   const int rows = std::max(0, range.bottom - range.top);
   coverage.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), {});

@@ -10,10 +10,10 @@ namespace carom {
 /// How much of a cell a disk covers, quarter by quarter: upper left, upper right, lower left,
 /// lower right.
 ///
-/// Units: samples, 0 to `full` in each quarter.
+/// Units: samples, 0 to `kFull` in each quarter.
 struct Coverage {
-  static constexpr int samples = 8;  ///< along a side of a cell
-  static constexpr int full = samples * samples / 4;
+  static constexpr int kSamples = 8;  ///< along a side of a cell
+  static constexpr int kFull = kSamples * kSamples / 4;
 
   std::array<int, 4> quarters{};
 

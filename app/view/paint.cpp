@@ -126,7 +126,7 @@ class Painter {
       character = ellipse.y - row < 0.5 ? '\'' : '.';
     }
     Claim small{&ball, {}, character};
-    small.coverage.quarters[0] = static_cast<int>(area * 4 * Coverage::full);
+    small.coverage.quarters[0] = static_cast<int>(area * 4 * Coverage::kFull);
     claim(column, row, small);
   }
 
@@ -142,7 +142,7 @@ class Painter {
     } else if (lead == 0) {
       for (std::size_t i = 0; i < 4; ++i) {
         int& quarter = cell.coverage.quarters[i];
-        quarter = std::min(Coverage::full, quarter + claim.coverage.quarters[i]);
+        quarter = std::min(Coverage::kFull, quarter + claim.coverage.quarters[i]);
       }
     }
   }

@@ -29,7 +29,7 @@ class Simulation::Implementation {
  public:
   explicit Implementation(const Scene& scene) : Implementation(scene, populate(scene)) {}
 
-  Implementation(const Scene& scene, std::vector<Ball> balls)
+  Implementation(const Scene& scene, const std::vector<Ball>& balls)
       : scene_(scene),
         method_(choose_method(scene).method),
         solver_(make_solver(scene, balls)),

@@ -56,8 +56,8 @@ TEST(Paint, CoversTheAreaOfADiskToSampling) {
       for (const Coverage& cell : coverage) samples += cell.total();
       const double area = std::numbers::pi * disk.across * disk.down;
       // A count of lattice points is off by no more than the boundary crosses.
-      const double boundary = 4 * (disk.across + disk.down) / Coverage::samples;
-      EXPECT_NEAR(samples / (4 * Coverage::full), area, boundary / 2 + 0.02) << radius << shift;
+      const double boundary = 4 * (disk.across + disk.down) / Coverage::kSamples;
+      EXPECT_NEAR(samples / (4 * Coverage::kFull), area, boundary / 2 + 0.02) << radius << shift;
     }
   }
 }
@@ -81,7 +81,7 @@ TEST(Paint, CoversNoCellOutsideTheDiskAndEveryCellWithin) {
         }
       }
       if (farthest <= 1) {
-        EXPECT_EQ(cell->total(), 4 * Coverage::full);
+        EXPECT_EQ(cell->total(), 4 * Coverage::kFull);
       }
       if (nearest > 1.05) {
         EXPECT_EQ(cell->total(), 0);

@@ -16,10 +16,10 @@ struct DoubleDouble {
   DoubleDouble(double a, double b) : high(a + b), low(b - (high - a)) {}
 
   friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
-    const auto high = two_sum(a.high, b.high);
-    const auto low = two_sum(a.low, b.low);
-    const DoubleDouble once(high.high, high.low + low.high);
-    return {once.high, once.low + low.low};
+    const auto highs = two_sum(a.high, b.high);
+    const auto lows = two_sum(a.low, b.low);
+    const DoubleDouble once(highs.high, highs.low + lows.high);
+    return {once.high, once.low + lows.low};
   }
   friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
     return a + DoubleDouble(-b.high, -b.low);
