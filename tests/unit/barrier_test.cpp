@@ -152,11 +152,7 @@ TEST(Barrier, APartyThatJoinsIsWaitedForFromTheOpenPhaseOn) {
 TEST(Barrier, LeavingEndsThePhaseAndRunsTheCompletionWhereAllOthersWait) {
   const Watchdog watchdog(seconds(60));
   int completions = 0;
-  std::thread::id ran_in;
-  Barrier barrier(3, [&] {
-    ++completions;
-    ran_in = std::this_thread::get_id();
-  });
+  Barrier barrier(3, [&] { ++completions; });
   std::atomic<int> through{0};
   std::thread others([&] {
     on_threads(2, [&](std::size_t) {
@@ -169,8 +165,15 @@ TEST(Barrier, LeavingEndsThePhaseAndRunsTheCompletionWhereAllOthersWait) {
   others.join();
   EXPECT_EQ(through, 2);
   EXPECT_EQ(completions, 1);
-  EXPECT_EQ(ran_in, std::this_thread::get_id());
   EXPECT_EQ(barrier.parties(), 2U);
+}
+
+TEST(Barrier, TheLastToLeaveRunsTheCompletionItself) {
+  std::thread::id ran_in;
+  Barrier barrier(1, [&] { ran_in = std::this_thread::get_id(); });
+  barrier.leave();
+  EXPECT_EQ(ran_in, std::this_thread::get_id());
+  EXPECT_EQ(barrier.parties(), 0U);
 }
 
 TEST(Barrier, LeavingWhileOthersAreStillToArriveEndsNothing) {
