@@ -58,7 +58,7 @@ int run(const Options& options) {
   const Scene scene = load_scene(options.scenes.front(), options);
 
   // Opened before anything runs: what cannot be written is found now.
-  UnfinishedFiles::remove_on_signals();
+  unfinished_files::remove_on_signals();
   OutputFile dump("--dump", options.dump);
   OutputFile report_file("--report", options.report);
   OutputFile save("--save", options.save);

@@ -84,7 +84,7 @@ OutputFile::OutputFile(const std::string& option, const std::string& name)
   target_ = exists ? std::filesystem::canonical(name, error).string() : name;
   if (error) throw std::system_error(error, name_);
   temporary_ = target_ + ".XXXXXX";
-  descriptor_ = UnfinishedFiles::create(temporary_);
+  descriptor_ = unfinished_files::create(temporary_);
   if (descriptor_ < 0) {
     temporary_.clear();
     fail();
@@ -94,7 +94,7 @@ OutputFile::OutputFile(const std::string& option, const std::string& name)
 
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) close(descriptor_);
-  if (!temporary_.empty()) UnfinishedFiles::remove(temporary_);
+  if (!temporary_.empty()) unfinished_files::remove(temporary_);
 }
 
 void OutputFile::write(std::string_view text) {
@@ -122,7 +122,7 @@ void OutputFile::commit() {
   if (close(std::exchange(descriptor_, -1)) != 0) fail();
   if (temporary_.empty()) return;
   if (rename(temporary_.c_str(), target_.c_str()) != 0) fail();
-  UnfinishedFiles::forget(temporary_);
+  unfinished_files::forget(temporary_);
   temporary_.clear();
 }
 

@@ -11,7 +11,7 @@
 #include <climits>
 #include <cstdlib>
 
-namespace carom::UnfinishedFiles {
+namespace carom::unfinished_files {
 namespace {
 
 /// A signal handler may take no lock and use no allocated memory: so names live in fixed places.
@@ -77,4 +77,4 @@ void remove_on_signals() {
   }
 }
 
-}  // namespace carom::UnfinishedFiles
+}  // namespace carom::unfinished_files

@@ -2,12 +2,10 @@
 
 #include <string>
 
-namespace carom {
-
 /// The temporary files of this process that a signal must not leave behind.
 ///
 /// Threads: the control thread only; the signal handler reads what the functions leave in place.
-namespace UnfinishedFiles {
+namespace carom::unfinished_files {
 
 /// Creates a file whose name ends in XXXXXX, which are replaced; its descriptor, or -1 and errno.
 int create(std::string& name);
@@ -20,6 +18,4 @@ void forget(const std::string& name);
 /// program as ever; one that was ignored stays ignored.
 void remove_on_signals();
 
-}  // namespace UnfinishedFiles
-
-}  // namespace carom
+}  // namespace carom::unfinished_files

@@ -17,7 +17,7 @@ constexpr std::size_t kCellEntry = 3 * kNumber + 2 * sizeof(int) + 2 * sizeof(in
 std::size_t listed_pairs(const Scene& scene, const std::vector<Ball>& balls) {
   double radii = 0;
   for (const Ball& ball : balls) radii += ball.radius;
-  const double n = static_cast<double>(balls.size());
+  const auto n = static_cast<double>(balls.size());
   const double reach = 3 * radii / n;
   const double around = n * std::numbers::pi * reach * reach / (scene.box.width * scene.box.height);
   return static_cast<std::size_t>(n * std::min(around, n - 1) / 2);

@@ -82,8 +82,8 @@ class JointImpact {
     S e = 0;
     for (std::size_t k = 0; k < graph_.size(); ++k) e = larger(e, graph_.contact(k).restitution);
     if (e == 0) return 0;
-    const double contacts = static_cast<double>(graph_.size());
-    const double loss = static_cast<double>(S(1 - e));
+    const auto contacts = static_cast<double>(graph_.size());
+    const auto loss = static_cast<double>(S(1 - e));
     const double most = kMostWork / contacts;
     const double lossy = 8 * (8 + contacts);
     return static_cast<int>(lossy < most * loss ? lossy / loss : most);
@@ -127,7 +127,8 @@ class JointImpact {
         }
       } else if (members[k] > 1) {
         Chosen together(graph_.size(), 0);
-        for (std::size_t m = 0; m < graph_.size(); ++m) together[m] = chosen[m] && set[m] == k;
+        for (std::size_t m = 0; m < graph_.size(); ++m)
+          together[m] = chosen[m] && set[m] == k ? 1 : 0;
         reflect_together(together, lossless);
       }
     }

@@ -14,6 +14,7 @@ struct Pair {
   std::uint32_t first = 0;
   std::uint32_t second = 0;
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads what the compiler writes here
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "effects/contact_group.hpp"
 #include "effects/pile.hpp"
@@ -21,9 +22,9 @@ bool sweep(const ContactGroup& group, int passes, Act act) {
   for (int pass = 0; pass < passes; ++pass) {
     bool any = false;
     if (pass % 2 == 0) {
-      for (auto c = group.contacts.begin(); c != group.contacts.end(); ++c) any |= act(*c);
+      for (const Contact& contact : group.contacts) any |= act(contact);
     } else {
-      for (auto c = group.contacts.rbegin(); c != group.contacts.rend(); ++c) any |= act(*c);
+      for (const Contact& contact : std::views::reverse(group.contacts)) any |= act(contact);
     }
     if (!any) return true;
   }
