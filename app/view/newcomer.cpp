@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-constexpr double golden_angle = 2.399963229728653;  // spreads any number of directions evenly
+constexpr double kGoldenAngle = 2.399963229728653;  // spreads any number of directions evenly
 
 Ball model(const std::vector<Ball>& balls, const Box& box) {
   Ball like;
@@ -39,7 +39,7 @@ std::optional<Ball> newcomer(const Session& session, std::uint64_t number) {
   const auto place = find_free_place(session.scene(), balls, ball.radius, number);
   if (!place) return std::nullopt;
   ball.position = *place;
-  const double angle = golden_angle * static_cast<double>(number + 1);
+  const double angle = kGoldenAngle * static_cast<double>(number + 1);
   ball.velocity =
       typical_speed(balls, session.scene().box) * Vec2{std::cos(angle), std::sin(angle)};
   return ball;

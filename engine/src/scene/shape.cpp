@@ -41,7 +41,7 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
 std::string_view nearest_key(std::string_view unknown, const Group& group) {
   constexpr std::size_t kLongest = 64;  // of a longer word only the beginning is compared
   std::string_view nearest;
-  std::size_t least = static_cast<std::size_t>(-1);
+  auto least = static_cast<std::size_t>(-1);
   for (const Key& key : group.keys) {
     const std::size_t distance = edit_distance(unknown.substr(0, kLongest), key.name);
     if (distance < least) {

@@ -40,7 +40,7 @@ void Agenda::rebase(Ticks by) {
 std::size_t Agenda::bytes() const {
   std::size_t entries = ordered_.capacity() + late_.capacity() + far_.capacity();
   for (const auto& bucket : buckets_) entries += bucket.capacity();
-  return entries * sizeof(Entry) + buckets_.capacity() * sizeof(buckets_[0]);
+  return entries * sizeof(Entry) + buckets_.capacity() * sizeof(std::vector<Entry>);
 }
 
 std::size_t Agenda::size() const {

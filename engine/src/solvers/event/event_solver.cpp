@@ -29,8 +29,10 @@ std::array<double, 2> gravity_of(const Effects& effects) {
 
 }  // namespace
 
-EventSolver::EventSolver(const Scene& scene, const std::vector<Ball>& balls)
-    : domain_(scene.box, scene.effects.walls.has_value()), effects_(scene.effects), balls_(balls) {
+EventSolver::EventSolver(const Scene& scene, std::vector<Ball> balls)
+    : domain_(scene.box, scene.effects.walls.has_value()),
+      effects_(scene.effects),
+      balls_(std::move(balls)) {
   for (Ball& ball : balls_) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       double& x = ball.position[static_cast<Eigen::Index>(axis)];

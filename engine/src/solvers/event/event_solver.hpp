@@ -17,7 +17,7 @@ namespace carom {
 /// Threads: one worker does the impacts; the others wait.
 class EventSolver final : public Solver {
  public:
-  explicit EventSolver(const Scene& scene, const std::vector<Ball>& balls);
+  EventSolver(const Scene& scene, std::vector<Ball> balls);
 
   [[nodiscard]] std::vector<Phase> phases() override;
   void set_workers(std::size_t) override {}
