@@ -63,7 +63,8 @@ int hold_pegs(int count) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc == 3 && std::strcmp(argv[1], "--pegs") == 0) return hold_pegs(std::atoi(argv[2]));
+  if (argc == 3 && std::strcmp(argv[1], "--pegs") == 0)
+    return hold_pegs(static_cast<int>(std::strtol(argv[2], nullptr, 10)));
 
   test::RandomNumbers random(1);
   std::vector<event::PairLanes<8>> lanes(kCalls / 8);

@@ -75,9 +75,11 @@ inline Scene pile(std::size_t balls, double restitution, double width = 30) {
   std::mt19937_64 engine(5);
   const auto columns = static_cast<std::size_t>(width / 1.2);
   for (std::size_t i = 0; i < balls; ++i) {
+    const std::size_t column = i % columns;
+    const std::size_t row = i / columns;
     Ball ball;
-    ball.position = {0.6 + 1.2 * static_cast<double>(i % columns) + 0.09 * (uniform(engine) - 0.5),
-                     0.6 + 1.2 * static_cast<double>(i / columns) + 0.09 * (uniform(engine) - 0.5)};
+    ball.position = {0.6 + 1.2 * static_cast<double>(column) + 0.09 * (uniform(engine) - 0.5),
+                     0.6 + 1.2 * static_cast<double>(row) + 0.09 * (uniform(engine) - 0.5)};
     scene.balls.push_back(ball);
   }
   scene.box.height = scene.balls.back().position.y() + 2;

@@ -160,7 +160,7 @@ TEST(EventPairTime, WorksAtTheEndsOfItsStatedRange) {
     for (const int speed : {-220, 219}) {
       const double s = std::ldexp(1.0, size - 1);
       const double v = std::ldexp(1.0, speed);
-      const double t = pair_time<double>({2 * s, s / 2}, {-v, 0}, s);
+      const auto t = pair_time<double>({2 * s, s / 2}, {-v, 0}, s);
       EXPECT_EQ(t, std::ldexp(pair_time<double>({2, 0.5}, {-1, 0}, 1), size - 1 - speed));
       EXPECT_GT(t, 0);
     }
@@ -273,7 +273,7 @@ TEST(EventPairImpact, DeflectsAGrazingBallRightly) {
     const double part = std::pow(10.0, -k);
     const double y = 1 - part;
     const V r0{64, y};
-    const double t = pair_time<double>(r0, {-1, 0}, 1);
+    const auto t = pair_time<double>(r0, {-1, 0}, 1);
     const V r{64 - t, y};
     const auto w = pair_impact<double>(r, {0, 0}, {-1, 0}, 0, 1, 1);
     const Exact ye(y);

@@ -60,7 +60,7 @@ class ContactGraph {
   /// How fast the bodies of contact k part when they move as `motion` says; less than 0: they
   /// approach.
   S parting(std::size_t k, const std::vector<Vec<S>>& motion) const {
-    const Vec<S> a = motion[index(contacts_[k].a)];
+    const Vec<S>& a = motion[index(contacts_[k].a)];
     const Vec<S> b = contacts_[k].b == kWall ? Vec<S>{S(0), S(0)} : motion[index(contacts_[k].b)];
     return sharp_dot(normals_[k], b - a);
   }
