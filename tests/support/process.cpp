@@ -52,6 +52,7 @@ Running::Running(const std::vector<std::string>& words, const Surroundings& surr
   write_file(input, surroundings.input);
   std::vector<std::string> copies = words;
   std::vector<char*> arguments;
+  arguments.reserve(copies.size() + 1);
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   process_ = fork();

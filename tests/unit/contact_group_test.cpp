@@ -36,6 +36,7 @@ std::vector<Ball> resolved(const std::vector<Ball>& before, double fall, double 
 
 std::vector<Ball> at(const std::vector<Vec2>& places) {
   std::vector<Ball> balls;
+  balls.reserve(places.size());
   for (const Vec2& place : places) balls.push_back(Ball{place});
   return balls;
 }

@@ -53,11 +53,11 @@ TEST(EventRest, ABallDroppedOnTheTopOfAFixedBallRestsThereToo) {
   const double g = 9.81;
   const double e = 0.5;
   const V top{0, 1};
-  double t = peg_time<double>({0, 2}, {0, 0}, {0, -g}, 1);
+  auto t = peg_time<double>({0, 2}, {0, 0}, {0, -g}, 1);
   V v = pair_impact<double>(top, {0, 0}, {0, -g * t}, 0, 1, e).b;
   int hops = 0;
   while (!bounces_out(v.y, g, e, resolution_at(t))) {
-    const double hop = peg_time<double>(top, v, {0, -g}, 1, true);
+    const auto hop = peg_time<double>(top, v, {0, -g}, 1, true);
     t += hop;
     v = pair_impact<double>(top, {0, 0}, {0, v.y - g * hop}, 0, 1, e).b;
     ASSERT_LT(++hops, 100);
@@ -83,10 +83,10 @@ struct Line {
   void run() {
     std::vector<double> last(x.size() - 1, -1);
     while (impacts < 100000) {
-      double soonest = never<double>();
+      auto soonest = never<double>();
       std::size_t hit = 0;
       for (std::size_t k = 0; k + 1 < x.size(); ++k) {
-        const double t = pair_time<double>({x[k + 1] - x[k], 0}, {v[k + 1] - v[k], 0}, 1);
+        const auto t = pair_time<double>({x[k + 1] - x[k], 0}, {v[k + 1] - v[k], 0}, 1);
         if (t >= soonest) continue;
         soonest = t;
         hit = k;

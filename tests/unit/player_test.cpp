@@ -42,7 +42,7 @@ class Stage : public UserInterface {
     acts_.push_back({at, {Event::Kind::resumed, 0}, unseen});
   }
   void resize(double at, Size size) {
-    resizes_.push_back({at, size});
+    resizes_.emplace_back(at, size);
     event(at, {Event::Kind::resized, 0});
   }
 
