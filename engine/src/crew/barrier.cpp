@@ -15,13 +15,15 @@ namespace {
 
 // How long to wait awake.  A pause is some 40 ns, so the spin takes about a microsecond, the price
 // of a switch of threads: where another program has the core of the other party no more is lost.
-// With more parties than cores a spin only keeps the core from those who are still to arrive.  One
-// yield lets each of them run once, after which the phase is over unless its work is uneven; to
-// yield on then gives every other program of the machine its turn, crossing by crossing, so it is
-// time to sleep.
+// With more parties than cores a spin only keeps the core from those who are still to arrive.  A
+// yield lets each of them on this core run once, and a few more bridge what the other cores are
+// behind, which is cheaper than to sleep and be woken.  But each also gives every other program of
+// the machine its turn, so that many threads have but few.
 constexpr int kSpins = 20;
 constexpr int kYields = 4;
-constexpr int kYieldsOfMany = 1;
+constexpr std::size_t kFewParties = 64;
+constexpr int kYieldsOfFew = 8;
+constexpr int kYieldsOfMany = 3;
 // A thread that wakes up wakes the next few: the last to arrive does not pay for all, and a
 // sleeper's data are fetched once, by the core on which it is about to run.
 constexpr int kWakes = 4;
@@ -99,7 +101,8 @@ bool Barrier::arrive_and_wait() {
 bool Barrier::wait(Gate& gate, std::uint32_t phase, std::size_t parties) {
   const bool many = parties > cores();
   int spins = many ? 0 : kSpins;
-  int yields = many ? kYieldsOfMany : kYields;
+  int yields = kYields;
+  if (many) yields = parties <= kFewParties ? kYieldsOfFew : kYieldsOfMany;
   for (;;) {
     const std::uint32_t word = gate.word.load(std::memory_order_acquire);
     if (is_over(word, phase)) return true;
