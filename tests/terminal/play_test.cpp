@@ -15,7 +15,7 @@ double shown_time(const Terminal& terminal) {
   const auto unit = text.find(" s  ");
   if (unit == std::string::npos) return -1;
   const auto begin = text.rfind(' ', unit - 1);
-  return std::atof(text.substr(begin, unit - begin).c_str());
+  return std::strtod(text.c_str() + begin, nullptr);
 }
 
 TEST(Play, ShowsTheBuiltInSceneMovingFrameByFrame) {

@@ -156,8 +156,7 @@ bool Terminal::read_some(std::chrono::milliseconds patience) {
   output_.append(bytes.data(), static_cast<std::size_t>(count));
   vterm_input_write(vterm_, bytes.data(), static_cast<std::size_t>(count));
   const std::size_t answer = vterm_output_read(vterm_, bytes.data(), bytes.size());
-  if (answer > 0 && write(master_, bytes.data(), answer) < 0) return false;
-  return true;
+  return answer == 0 || write(master_, bytes.data(), answer) >= 0;
 }
 
 bool Terminal::wait(const Condition& condition) {
