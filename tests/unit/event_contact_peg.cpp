@@ -41,7 +41,7 @@ TEST(EventPegTime, OfAHopOnThePegIsFoundHoweverShort) {
   for (int k = 4; k < 60; ++k) {
     const double v = std::ldexp(1.0, -k);
     EXPECT_NEAR(peg_time<double>({0, 1}, {0, v}, {0, -2}, 1, true), v, 2 * kU * v) << k;
-    const double slanted = peg_time<double>({0.6, 0.8}, {0.6 * v, 0.8 * v}, {0, -2}, 1, true);
+    const auto slanted = peg_time<double>({0.6, 0.8}, {0.6 * v, 0.8 * v}, {0, -2}, 1, true);
     EXPECT_GT(slanted, v) << k;
     EXPECT_LT(slanted, 2 * v) << k;
   }
@@ -82,8 +82,8 @@ TEST(EventPegTime, IsTheSameForMirrorImagesAndScalesWithPowersOfTwo) {
     ASSERT_EQ(peg_time(w(c.r), w(c.v), w(c.g), c.s, c.from_contact), t);
     ASSERT_EQ(peg_time(-c.r, -c.v, -c.g, c.s, c.from_contact), t);
     const double l = std::ldexp(1.0, random.below(81) - 40);
-    const double T = std::ldexp(1.0, random.below(81) - 40);
-    ASSERT_EQ(peg_time(l * c.r, (l / T) * c.v, (l / T / T) * c.g, l * c.s, c.from_contact), t * T);
+    const double u = std::ldexp(1.0, random.below(81) - 40);
+    ASSERT_EQ(peg_time(l * c.r, (l / u) * c.v, (l / u / u) * c.g, l * c.s, c.from_contact), t * u);
   }
 }
 

@@ -29,6 +29,7 @@ Disk at(double x, double y, double vx = 0, double vy = 0) {
 TEST(EventInstant, a_cradle_passes_on_as_many_balls_as_come_in) {
   for (int coming = 1; coming <= 4; ++coming) {
     std::vector<Disk> disks;
+    disks.reserve(5);
     for (int k = 0; k < 5; ++k) {
       disks.push_back(k < coming ? at(k - 4.0, 0, 1) : at(k - 3.0, 0));
     }
