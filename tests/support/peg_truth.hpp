@@ -30,7 +30,7 @@ class PegTruth {
     const int skip = c.from_contact ? 1 : 0;
     degree_[0] = 4 - skip;
     for (int k = 0; k <= degree_[0]; ++k)
-      chain_[0][k] = quartic[static_cast<std::size_t>(k + skip)];
+      chain_[0][k] = quartic[static_cast<std::size_t>(k) + static_cast<std::size_t>(skip)];
     degree_[1] = degree_[0] - 1;
     for (int k = 0; k < degree_[0]; ++k) chain_[1][k] = chain_[0][k + 1] * (k + 1);
     length_ = 2;

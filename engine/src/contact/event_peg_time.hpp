@@ -39,12 +39,12 @@ class Parabola {
 
   /// The gap and its slope, right to some 100 bits of their largest terms.
   Tangent<S> gap(const S& at) const {
-    const W t(at);
+    const auto& t = widen(at);
     const W rest = approach_ + approach_ + t * (linear_ + t * (W(S(2)) * third_ + t * quarter_));
     return {narrow(gap_ + t * rest), 2 * approach(at)};
   }
   S approach(const S& at) const {
-    const W t(at);
+    const auto& t = widen(at);
     return narrow(approach_ + t * (linear_ + t * (W(S(3)) * third_ + t * (quarter_ + quarter_))));
   }
 

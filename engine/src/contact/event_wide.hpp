@@ -43,6 +43,14 @@ struct WideOf<double> {
 template <class S>
 using Wide = typename WideOf<S>::Type;
 
+inline DoubleDouble widen(double a) {
+  return DoubleDouble(a);
+}
+template <class S>
+const S& widen(const S& a) {
+  return a;
+}
+
 inline double narrow(const DoubleDouble& a) {
   return a.high;
 }
