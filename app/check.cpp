@@ -78,6 +78,11 @@ std::string threads(const Scene& scene, const Footprint& footprint) {
                      per_ball ? ", one per ball" : "");
 }
 
+std::string method(const Scene& scene, Method method) {
+  if (method == Method::overlap) return fmt::format("overlap, step {:.6g} s", scene.solver.step);
+  return fmt::format("event, {} digits", scene.solver.digits);
+}
+
 std::string describe(const std::string& file, const Scene& scene) {
   const std::vector<Ball> balls = populate(scene);
   const Footprint footprint = carom::footprint(scene, balls);
@@ -96,9 +101,7 @@ std::string describe(const std::string& file, const Scene& scene) {
                                   : fmt::format("{}, {} of them fixed", balls.size(), fixed));
   text += row("pairs", scene.effects.collisions ? fmt::format("{}", footprint.pairs)
                                                 : "none: balls pass through each other");
-  text += row("method", fmt::format("{}, step {:.6g} s: {}",
-                                    choice.method == Method::overlap ? "overlap" : "event",
-                                    scene.solver.step, choice.why));
+  text += row("method", fmt::format("{}: {}", method(scene, choice.method), choice.why));
   text += row("duration",
               fmt::format("{:g} s at {:g} frames per second", scene.duration, scene.frame_rate));
   text += row("script",

@@ -9,6 +9,7 @@
 #include "carom/crew.hpp"
 #include "carom/scene_file.hpp"
 #include "scene/available.hpp"
+#include "solvers/event/event_solver.hpp"
 #include "solvers/overlap.hpp"
 #include "state/domain.hpp"
 
@@ -16,10 +17,12 @@ namespace carom {
 namespace {
 
 std::unique_ptr<Solver> make_solver(const Scene& scene, const std::vector<Ball>& balls) {
-  std::vector<Problem> problems = scene::find_unavailable(scene);
+  const Method method = choose_method(scene).method;
+  std::vector<Problem> problems = scene::find_unavailable(scene, method);
   if (!problems.empty()) {
     throw SceneError(scene.name.empty() ? "scene" : scene.name, std::move(problems));
   }
+  if (method == Method::event) return std::make_unique<EventSolver>(scene, balls);
   return std::make_unique<OverlapSolver>(scene, balls);
 }
 

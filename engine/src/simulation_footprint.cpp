@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "solvers/event/disk.hpp"
 #include "solvers/overlap_plan.hpp"
 
 namespace carom {
@@ -13,6 +14,9 @@ constexpr std::size_t kNumber = sizeof(double);
 constexpr std::size_t kPair = 2 * sizeof(int) + kNumber;
 constexpr std::size_t kCellEntry = 3 * kNumber + 2 * sizeof(int) + 2 * sizeof(int);
 
+constexpr std::size_t kNeighbours = 110;  // a ball's square and the lists it is in
+constexpr std::size_t kAgenda = 40;       // a ball's entries, some of them outdated
+
 /// Neighbours are looked for out to about one and a half contact distances.
 std::size_t listed_pairs(const Scene& scene, const std::vector<Ball>& balls) {
   double radii = 0;
@@ -21,6 +25,16 @@ std::size_t listed_pairs(const Scene& scene, const std::vector<Ball>& balls) {
   const double reach = 3 * radii / n;
   const double around = n * std::numbers::pi * reach * reach / (scene.box.width * scene.box.height);
   return static_cast<std::size_t>(n * std::min(around, n - 1) / 2);
+}
+
+void describe_event(const Scene& scene, Footprint& result) {
+  const std::size_t n = result.balls;
+  result.columns = {{"ball", n * sizeof(Ball)}, {"flight", n * sizeof(event::Disk)}};
+  if (scene.effects.collisions) {
+    result.lists.emplace_back("neighbours", n * kNeighbours);
+  }
+  result.lists.emplace_back("agenda", n * kAgenda);
+  result.barriers = {"do_frame", "impacts", "frame_done"};
 }
 
 }  // namespace
@@ -36,18 +50,24 @@ Footprint footprint(const Scene& scene, const std::vector<Ball>& balls) {
   Footprint result;
   const std::size_t n = balls.size();
   result.balls = n;
-  result.columns = {{"position", 2 * n * kNumber}, {"velocity", 2 * n * kNumber},
-                    {"radius", n * kNumber},       {"mass", n * kNumber},
-                    {"inverse_mass", n * kNumber}, {"glyph", n}};
-  if (scene.effects.friction) result.columns.emplace_back("spin", n * kNumber);
-  result.workers = worker_count(scene, n);
-  result.barriers = {"do_frame", scene.effects.walls ? "wall_computation" : "flight"};
-  const OverlapPlan plan(scene.effects, n, result.workers);
-  if (plan.pairs) {
+  if (scene.effects.collisions) {
     const auto fixed = static_cast<std::size_t>(
         std::count_if(balls.begin(), balls.end(), [](const Ball& ball) { return ball.fixed; }));
     const auto unique = [](std::size_t k) { return k == 0 ? 0 : k * (k - 1) / 2; };
     result.pairs = unique(n) - unique(fixed);
+  }
+  result.workers = worker_count(scene, n);
+  if (choose_method(scene).method == Method::event) {
+    describe_event(scene, result);
+    return result;
+  }
+  result.columns = {{"position", 2 * n * kNumber}, {"velocity", 2 * n * kNumber},
+                    {"radius", n * kNumber},       {"mass", n * kNumber},
+                    {"inverse_mass", n * kNumber}, {"glyph", n}};
+  if (scene.effects.friction) result.columns.emplace_back("spin", n * kNumber);
+  result.barriers = {"do_frame", scene.effects.walls ? "wall_computation" : "flight"};
+  const OverlapPlan plan(scene.effects, n, result.workers);
+  if (plan.pairs) {
     if (plan.neighbour_list) {
       result.lists.emplace_back("pairs", listed_pairs(scene, balls) * kPair);
       result.lists.emplace_back("cells", n * kCellEntry);

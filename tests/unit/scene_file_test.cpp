@@ -136,11 +136,14 @@ TEST(Footprint, CountsTheBytesOfTheColumnsThatTheStateHas) {
                                   {"mass", bytes(state.mass)},
                                   {"inverse_mass", bytes(state.inverse_mass)},
                                   {"glyph", state.glyph.size()}};
-  EXPECT_EQ(footprint(builtin_scene(), balls).columns, expected);
+  Scene scene = builtin_scene();
+  scene.solver.method = Method::overlap;
+  EXPECT_EQ(footprint(scene, balls).columns, expected);
 }
 
 TEST(Footprint, HasNoSpinWithoutFrictionAndNoPairsWithoutCollisions) {
   Scene scene = builtin_scene();
+  scene.solver.method = Method::overlap;
   const Footprint whole = footprint(scene, populate(scene));
   EXPECT_EQ(whole.pairs, 16U * 15 / 2);
   EXPECT_EQ(whole.workers, 16U);
@@ -166,9 +169,10 @@ TEST(Footprint, NamesTheBarriersOfTheCrewThatRuns) {
     for (const char* count : {"3", "70", "2100"}) {
       for (const char* workers : {"1", "2", "20"}) {
         const Scene scene = parse_scene(
-            fmt::format(R"({{"box": {{"width": 40, "height": 20}}, "workers": {}, "effects": {},
+            fmt::format(
+                R"({{"box": {{"width": 40, "height": 20}}, "solver": {{"method": "overlap"}}, "workers": {}, "effects": {},
                             "fill": [{{"radius": 0.1, "count": {}}}]}})",
-                        workers, effects, count),
+                workers, effects, count),
             "scene");
         std::vector<std::string> barriers{"do_frame"};
         for (const auto& [name, seconds] : Simulation(scene).measure().phases) {
@@ -187,6 +191,7 @@ TEST(Footprint, HasNoBarrierThatIsNeverMet) {
     scene.effects.walls.emplace();
     scene.effects.collisions.emplace();
     scene.workers = workers;
+    scene.solver.method = Method::overlap;
     return footprint(scene, std::vector<Ball>(balls)).barriers;
   };
   const std::vector<std::string> least{"do_frame", "wall_computation", "pair_computation",

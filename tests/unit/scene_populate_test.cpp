@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
+#include <utility>
 
 #include "carom/scene_file.hpp"
 #include "scene/random.hpp"
@@ -37,10 +39,11 @@ void expect_valid(Scene scene) {
 bool same_bits(const std::vector<Ball>& a, const std::vector<Ball>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (std::memcmp(a[i].position.data(), b[i].position.data(), 2 * sizeof(double)) != 0 ||
-        std::memcmp(a[i].velocity.data(), b[i].velocity.data(), 2 * sizeof(double)) != 0) {
-      return false;
-    }
+    const auto bits = [](const Vec2& v) {
+      return std::pair(std::bit_cast<std::uint64_t>(v.x()), std::bit_cast<std::uint64_t>(v.y()));
+    };
+    if (bits(a[i].position) != bits(b[i].position)) return false;
+    if (bits(a[i].velocity) != bits(b[i].velocity)) return false;
   }
   return true;
 }

@@ -1,39 +1,81 @@
 #include "scene/available.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace carom::scene {
 
 namespace {
 
+double largest_radius(const Scene& scene) {
+  double radius = 0;
+  for (const Ball& ball : scene.balls) radius = std::max(radius, ball.radius);
+  for (const Fill& fill : scene.fills) radius = std::max(radius, fill.radius);
+  return radius;
+}
+
+bool lossy(const Scene& scene) {
+  const Effects& effects = scene.effects;
+  return (effects.walls && effects.walls->restitution < 1) ||
+         (effects.collisions && effects.collisions->restitution < 1);
+}
+
+// Round a shorter one two balls could touch on both sides at once.
+bool short_periodic_axis(const Scene& scene) {
+  if (!scene.effects.collisions) return false;
+  const double least = 4 * largest_radius(scene);
+  return (scene.box.periodic[0] && !(scene.box.width > least)) ||
+         (scene.box.periodic[1] && !(scene.box.height > least));
+}
+
+constexpr bool kOverlap[] = {true, false};
+constexpr bool kEvent[] = {false, true};
+constexpr bool kBoth[] = {true, true};
+
 struct Unavailable {
   const char* place;
+  const bool* methods;  ///< by Method: which of them cannot do it
   bool (*asked)(const Scene&);
-  const char* message = "is not available in this version";
+  const char* message;
 };
 
-/// The one list of what a scene can name and this version cannot do.
+constexpr auto kNotYet = "is not available in this version";
+
+/// The one list of what a scene can name and a method cannot do.
 constexpr std::array kUnavailable{
-    Unavailable{"/effects/drag", [](const Scene& s) { return s.effects.drag.has_value(); }},
-    Unavailable{"/effects/friction", [](const Scene& s) { return s.effects.friction.has_value(); }},
-    Unavailable{"/effects/attraction",
-                [](const Scene& s) { return s.effects.attraction.has_value(); }},
-    Unavailable{"/solver/method", [](const Scene& s) { return s.solver.method == Method::event; },
-                "\"event\" is not available in this version, use \"overlap\""},
-    Unavailable{"/solver/digits",
+    Unavailable{"/effects/drag", kBoth, [](const Scene& s) { return s.effects.drag.has_value(); },
+                kNotYet},
+    Unavailable{"/effects/friction", kBoth,
+                [](const Scene& s) { return s.effects.friction.has_value(); }, kNotYet},
+    Unavailable{"/effects/attraction", kBoth,
+                [](const Scene& s) { return s.effects.attraction.has_value(); }, kNotYet},
+    Unavailable{"/solver/method", kEvent, lossy,
+                "\"event\" cannot take a restitution below 1 in this version, use \"overlap\""},
+    Unavailable{"/solver/method", kEvent, short_periodic_axis,
+                "\"event\" needs periodic axes longer than four radii of the largest ball, use "
+                "\"overlap\""},
+    Unavailable{"/solver/digits", kEvent,
                 [](const Scene& s) {
                   const int digits = s.solver.digits;
                   return digits == 34 || digits == 50 || digits == 100;
                 },
                 "more than 16 is not available in this version, use 16"},
+    Unavailable{"/solver/digits", kOverlap,
+                [](const Scene& s) {
+                  const int digits = s.solver.digits;
+                  return digits == 34 || digits == 50 || digits == 100;
+                },
+                "method \"overlap\" computes in 16 digits: use 16, or method \"event\""},
 };
 
 }  // namespace
 
-std::vector<Problem> find_unavailable(const Scene& scene) {
+std::vector<Problem> find_unavailable(const Scene& scene, Method method) {
   std::vector<Problem> problems;
   for (const Unavailable& entry : kUnavailable) {
-    if (entry.asked(scene)) problems.push_back({entry.place, entry.message});
+    if (entry.methods[static_cast<std::size_t>(method)] && entry.asked(scene)) {
+      problems.push_back({entry.place, entry.message});
+    }
   }
   return problems;
 }

@@ -7,7 +7,7 @@
 
 namespace carom::scene {
 
-/// What the scene asks for and this version does not do yet.
-std::vector<Problem> find_unavailable(const Scene& scene);
+/// What the scene names and this method cannot do; empty: it can be computed with it.
+std::vector<Problem> find_unavailable(const Scene& scene, Method method);
 
 }  // namespace carom::scene

@@ -137,7 +137,7 @@ std::vector<Problem> judge(const Scene& scene, const std::vector<std::size_t>& s
   verdict.positive("/box/width", scene.box.width);
   verdict.positive("/box/height", scene.box.height);
   judge_effects(scene.effects, "/effects", verdict);
-  for (Problem& problem : find_unavailable(scene)) {
+  for (Problem& problem : find_unavailable(scene, choose_method(scene).method)) {
     verdict.add(std::move(problem.place), std::move(problem.message));
   }
   judge_balls(scene, verdict);
