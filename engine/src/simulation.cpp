@@ -9,7 +9,7 @@
 #include "carom/crew.hpp"
 #include "carom/scene_file.hpp"
 #include "scene/available.hpp"
-#include "solvers/event/event_solver.hpp"
+#include "solvers/event/make_event_solver.hpp"
 #include "solvers/overlap.hpp"
 #include "state/domain.hpp"
 
@@ -22,7 +22,7 @@ std::unique_ptr<Solver> make_solver(const Scene& scene, const std::vector<Ball>&
   if (!problems.empty()) {
     throw SceneError(scene.name.empty() ? "scene" : scene.name, std::move(problems));
   }
-  if (method == Method::event) return std::make_unique<EventSolver>(scene, balls);
+  if (method == Method::event) return make_event_solver(scene, balls);
   return std::make_unique<OverlapSolver>(scene, balls);
 }
 

@@ -85,7 +85,7 @@ void measure(std::size_t n, double packing, double time_limit) {
   // Enskog's collision rate, collisions a second in all
   const double chi = (1 - 7 * packing / 16) / ((1 - packing) * (1 - packing));
   const double rate = 0.5 * static_cast<double>(n) * 2 * std::sqrt(M_PI) * density * chi;
-  Tile tile(Rules{carom::Domain(box, false), scale, {0, 0}, true, 1, 1, {Kind{}}});
+  Tile<Free> tile(Rules{carom::Domain(box, false), scale, {0, 0}, true, 1, 1, {Kind{}}});
   tile.reset(balls, 0);
   const double settle = (n > 500000 ? 1.0 : 10.0) * static_cast<double>(n) / rate / 2;
   tile.advance_to(scale.ticks(settle));

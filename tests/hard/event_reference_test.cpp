@@ -8,7 +8,7 @@
 #include <string>
 
 #include "carom/scene_file.hpp"
-#include "solvers/event/event_solver.hpp"
+#include "solvers/event/make_event_solver.hpp"
 
 namespace carom {
 namespace {
@@ -25,7 +25,7 @@ double number(const json& text) {
   return std::stod(text.get<std::string>());
 }
 
-void run(EventSolver& solver, double until, int frames) {
+void run(Solver& solver, double until, int frames) {
   const std::vector<Phase> phases = solver.phases();
   for (int frame = 1; frame <= frames; ++frame) {
     if (solver.aim(frame < frames ? until * frame / frames : until) != Phase::kFrameDone) {
@@ -46,13 +46,13 @@ TEST_P(EventReference, ends_within_the_rounding_its_condition_allows_after_as_ma
   const double size = std::max(scene.box.width, scene.box.height);
   const double allowed = 64 * file["condition"].get<double>() * 0x1p-53 * size;
 
-  EventSolver solver(scene, populate(scene));
-  run(solver, time, 1);
+  const auto solver = make_event_solver(scene, populate(scene));
+  run(*solver, time, 1);
   Measurements measured;
-  solver.count(measured);
+  solver->count(measured);
   EXPECT_EQ(measured.ball_ball, expected["ball_ball"].get<std::uint64_t>());
   EXPECT_EQ(measured.ball_wall, expected["ball_wall"].get<std::uint64_t>());
-  const std::vector<Ball> end = solver.state();
+  const std::vector<Ball> end = solver->state();
   double worst = 0;
   for (std::size_t i = 0; i < end.size(); ++i) {
     const json& ball = expected["balls"][i];
@@ -66,9 +66,9 @@ TEST_P(EventReference, ends_within_the_rounding_its_condition_allows_after_as_ma
   EXPECT_LE(worst, allowed);
   RecordProperty("part_of_the_allowance", std::to_string(worst / allowed));
 
-  EventSolver watched(scene, populate(scene));
-  run(watched, time, 997);
-  EXPECT_EQ(watched.state_hash(), solver.state_hash()) << "frames must only look";
+  const auto watched = make_event_solver(scene, populate(scene));
+  run(*watched, time, 997);
+  EXPECT_EQ(watched->state_hash(), solver->state_hash()) << "frames must only look";
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EventReference,

@@ -14,6 +14,7 @@ namespace carom::event {
 namespace {
 
 /// Every pair looked at for every impact: slow, and hard to get wrong.
+template <class P>
 class AllPairs {
  public:
   AllPairs(const Rules& rules, std::vector<Disk> disks)
@@ -23,9 +24,9 @@ class AllPairs {
 
   void advance_to(Ticks until) {
     while (true) {
-      Meeting best;
+      Meeting<P> best;
       std::size_t who = 0;
-      const auto offer = [&](const Meeting& meeting, std::size_t i) {
+      const auto offer = [&](const Meeting<P>& meeting, std::size_t i) {
         if (meeting.time < best.time) best = meeting, who = i;
       };
       for (std::size_t i = 0; i < disks_.size(); ++i) {
@@ -61,7 +62,7 @@ class AllPairs {
   [[nodiscard]] const std::vector<Disk>& disks() const { return disks_; }
 
  private:
-  Motion motion_;
+  Motion<P> motion_;
   std::vector<Disk> disks_;
   std::vector<Index> left_;
 };
@@ -100,12 +101,13 @@ std::vector<Disk> lattice(const Rules& rules, std::size_t columns, std::size_t r
   return disks;
 }
 
+template <class P = Free>
 void expect_same_bits(const Rules& rules, std::size_t columns, std::size_t rows, double seconds) {
   const auto start = lattice(rules, columns, rows);
   const Ticks end = rules.scale.ticks(seconds);
-  AllPairs slow(rules, start);
+  AllPairs<P> slow(rules, start);
   slow.advance_to(end);
-  Tile tile(rules);
+  Tile<P> tile(rules);
   tile.reset(start, 0);
   tile.advance_to(end);
   ASSERT_GT(slow.counts.ball_ball, 100U);
@@ -149,14 +151,14 @@ TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_under_gravity) 
   Rules rules = rules_of(domain(14, 12, false, false));
   rules.gravity = {0.5, -2};
   rules.restitution = 0.95;
-  expect_same_bits(rules, 9, 8, 5);
+  expect_same_bits<Falling>(rules, 9, 8, 5);
 }
 
 TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_falling_through_pegs) {
   Rules rules = rules_of(domain(14, 12, true, false));
   rules.gravity = {0, -2};
   rules.kinds = {{0.5, 1}, {0.25, 8}, {0.6, 0.5}, {0.3, 0}, {0.55, 1}};
-  expect_same_bits(rules, 9, 8, 5);
+  expect_same_bits<Falling>(rules, 9, 8, 5);
 }
 
 // With a tick this fine, flights are carried on several times and time is counted anew many times.
@@ -164,8 +166,8 @@ TEST(EventTile, counting_time_from_a_later_tick_changes_no_bit) {
   Rules rules = rules_of(domain(12, 10, true, false));
   rules.scale = TickScale(0x1p-8);
   const auto start = lattice(rules, 5, 4);
-  AllPairs whole(rules, start);
-  Tile parts(rules);
+  AllPairs<Free> whole(rules, start);
+  Tile<Free> parts(rules);
   parts.reset(start, 0);
   constexpr Ticks kEra = Ticks{1} << 60;
   for (int era = 0; era < 40; ++era) {
@@ -195,7 +197,7 @@ TEST(EventTile, rods_in_a_line_are_where_free_points_would_be) {
     rods[i].x = -15 + (static_cast<double>(i) + 0.5) * 30 / kRods;
     rods[i].vx = normal(random);
   }
-  Tile tile(rules);
+  Tile<Free> tile(rules);
   tile.reset(rods, 0);
   const Ticks end = rules.scale.ticks(50);
   tile.advance_to(end);

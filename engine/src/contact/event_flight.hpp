@@ -1,6 +1,11 @@
 #pragma once
 
+#include <cstddef>
+
+#include "contact/event_pair_time.hpp"
+#include "contact/event_peg_time.hpp"
 #include "contact/event_scalar.hpp"
+#include "contact/event_wall_time.hpp"
 
 namespace carom::event {
 
@@ -13,18 +18,30 @@ struct Flight {
   Vec<S> velocity;
 };
 
+// A law of flight gives, besides where a flight goes: when() turns the time of pair_time() into
+// time; wall_wait(), when a ball meets a wall whose normal points along `side` (1 or -1) of an
+// axis, h and v along that normal, and wall_arrival(), its normal velocity then; peg_wait(), when
+// it meets a fixed ball, where flights bend past it; and how fast it accelerates at most.
+
 /// Uniform motion.
 template <class S>
 struct StraightLaw {
+  static constexpr bool kBends = false;
+
   Vec<S> displacement(const Flight<S>& f, const S& elapsed) const {
     return {f.velocity.x * elapsed, f.velocity.y * elapsed};
   }
   Vec<S> velocity_change(const Flight<S>&, const S&) const { return {S(0), S(0)}; }
+  const S& when(const S& straight) const { return straight; }
+  S wall_wait(std::size_t, int, const S& h, const S& v) const { return wall_time(h, v); }
+  S wall_arrival(std::size_t, int, const S&, const S& v, const S&) const { return v; }
+  S acceleration(std::size_t) const { return S(0); }
 };
 
 /// Uniform acceleration, the same for every ball.
 template <class S>
 struct BallisticLaw {
+  static constexpr bool kBends = true;
   Vec<S> gravity;
 
   Vec<S> displacement(const Flight<S>& f, const S& elapsed) const {
@@ -35,6 +52,20 @@ struct BallisticLaw {
   Vec<S> velocity_change(const Flight<S>&, const S& elapsed) const {
     return {gravity.x * elapsed, gravity.y * elapsed};
   }
+  const S& when(const S& straight) const { return straight; }
+  S wall_wait(std::size_t axis, int side, const S& h, const S& v) const {
+    return wall_time(h, v, pull(axis, side));
+  }
+  S wall_arrival(std::size_t axis, int side, const S& h, const S& v, const S&) const {
+    return wall_arrival_velocity(h, v, pull(axis, side));
+  }
+  S peg_wait(const Vec<S>& r, const Vec<S>& v, const S& s, bool from_contact) const {
+    return peg_time(r, v, gravity, s, from_contact);
+  }
+  S acceleration(std::size_t axis) const { return absolute(axis == 0 ? gravity.x : gravity.y); }
+
+ private:
+  S pull(std::size_t axis, int side) const { return side * (axis == 0 ? gravity.x : gravity.y); }
 };
 
 /// The flight as it is `elapsed` after its start; after 0 it is itself to the last bit.

@@ -16,19 +16,23 @@ namespace carom::event {
 ///
 /// Source: G. Paul, A complexity O(1) priority queue for event driven molecular dynamics
 /// simulations, J. Comput. Phys. 221 (2007) 615.
+template <class Clock>
 class Agenda {
  public:
+  using Time = typename Clock::Time;
+  using At = typename Clock::At;
+
   struct Entry {
-    Ticks time;
+    Time time;
     Index ball;
   };
 
   /// Empties it; `width` is the ticks of one bucket, about as long as a few entries take.
-  void reset(Ticks now, Ticks width, std::size_t buckets);
+  void reset(At now, Time width, std::size_t buckets);
 
-  void add(Ticks time, Index ball) {
-    if (time == kNever) return;
-    const Ticks number = (time - origin_) >> shift_;
+  void add(At time, Index ball) {
+    if (time == Clock::never()) return;
+    const std::int64_t number = Clock::steps(time - origin_, shift_);
     if (number <= present_) {
       late_.push_back({time, ball});
       std::push_heap(late_.begin(), late_.end(), later);
@@ -43,9 +47,9 @@ class Agenda {
   /// whether an entry still counts; `prepare` is given the entries of each bucket in order before
   /// the first of them is due.  Null: none up to `until`.
   template <class Wanted, class Prepare>
-  const Entry* first(Ticks until, const Wanted& wanted, const Prepare& prepare) {
+  const Entry* first(At until, const Wanted& wanted, const Prepare& prepare) {
     while (next_ == ordered_.size() && late_.empty()) {
-      if (((until - origin_) >> shift_) <= present_) return nullptr;
+      if (Clock::steps(until - origin_, shift_) <= present_) return nullptr;
       open_next(wanted);
       prepare(std::span<const Entry>(ordered_),
               std::span<const Entry>(buckets_[static_cast<std::size_t>(present_ + 1) & mask_]));
@@ -57,7 +61,7 @@ class Agenda {
     return entry->time <= until ? entry : nullptr;
   }
   /// Counts time from `by` ticks later on.
-  void rebase(Ticks by);
+  void rebase(At by);
   /// Takes out the entry that `first` gave.
   void drop_first() {
     if (taking_late_) {
@@ -77,7 +81,7 @@ class Agenda {
   template <class Wanted>
   void open_next(const Wanted& wanted) {
     ++present_;
-    if (present_ + static_cast<Ticks>(buckets_.size()) / 2 >= year_end_) next_year(wanted);
+    if (present_ + static_cast<std::int64_t>(buckets_.size()) / 2 >= year_end_) next_year(wanted);
     std::vector<Entry>& bucket = buckets_[static_cast<std::size_t>(present_) & mask_];
     ordered_.clear();
     next_ = 0;
@@ -91,11 +95,11 @@ class Agenda {
 
   template <class Wanted>
   void next_year(const Wanted& wanted) {
-    year_end_ += static_cast<Ticks>(buckets_.size()) / 2;
+    year_end_ += static_cast<std::int64_t>(buckets_.size()) / 2;
     std::size_t kept = 0;
     for (const Entry entry : far_) {
       if (!wanted(entry)) continue;
-      const Ticks number = (entry.time - origin_) >> shift_;
+      const std::int64_t number = Clock::steps(entry.time - origin_, shift_);
       if (number < year_end_) {
         buckets_[static_cast<std::size_t>(number) & mask_].push_back(entry);
       } else {
@@ -105,11 +109,11 @@ class Agenda {
     far_.resize(kept);
   }
 
-  Ticks origin_ = 0;
+  Time origin_ = 0;
   int shift_ = 0;
   std::size_t mask_ = 0;
-  Ticks present_ = 0;   ///< number of the bucket that is open
-  Ticks year_end_ = 0;  ///< number of the first bucket whose entries are in `far_`
+  std::int64_t present_ = 0;   ///< number of the bucket that is open
+  std::int64_t year_end_ = 0;  ///< number of the first bucket whose entries are in `far_`
   std::vector<std::vector<Entry>> buckets_;
   std::vector<Entry> ordered_;  ///< the open bucket, in order of time from `next_` on
   std::size_t next_ = 0;

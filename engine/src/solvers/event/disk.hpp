@@ -14,25 +14,27 @@ inline constexpr Index kUnknown = 0xfffffff0U;  ///< nothing before its time: lo
 inline constexpr Index kCarry = 0xfffffff1U;    ///< the flight is long enough: it starts anew
 inline constexpr Index kWalls = 0xfffffff4U;    ///< + 2 axis, + 1 for the upper one
 
-/// When the flight of a fixed ball began: before all others.
-inline constexpr Ticks kEver = -(Ticks{1} << 62);
-
-/// A ball's flight, and what is known of its end: one cache line.
+/// A ball's flight, and what is known of its end: one cache line in double.
 ///
 /// Holds: the flight is where, when and how fast the ball left its last impact, and changes only
 /// there.  The rest is bookkeeping: it may be early without changing a bit of the result.
-struct alignas(64) Disk {
-  double x = 0;  ///< at `start`, as are y, vx and vy
-  double y = 0;
-  double vx = 0;
-  double vy = 0;
-  Ticks start = 0;
-  Ticks meets = kNever;   ///< when it meets `partner`; no impact of its comes earlier
-  Ticks leaves = kNever;  ///< when it leaves the square for which its neighbours are listed
+template <class S>
+struct alignas(64) BasicDisk {
+  using Time = typename Clock<S>::Time;
+
+  S x = 0;  ///< at `start`, as are y, vx and vy
+  S y = 0;
+  S vx = 0;
+  S vy = 0;
+  Time start = 0;
+  Time meets = Clock<S>::never();   ///< when it meets `partner`; no impact of its comes earlier
+  Time leaves = Clock<S>::never();  ///< when it leaves the square for which neighbours are listed
   Index partner = kUnknown;
   Index kind = 0;  ///< its radius and mass, in the table of kinds
 
-  [[nodiscard]] Ticks due() const { return meets < leaves ? meets : leaves; }
+  [[nodiscard]] const Time& due() const { return meets < leaves ? meets : leaves; }
 };
+
+using Disk = BasicDisk<double>;
 
 }  // namespace carom::event

@@ -15,6 +15,7 @@ namespace carom {
 ///
 /// Holds: the same bits at any frame rate, number of workers and order in memory.
 /// Threads: one worker does the impacts; the others wait.
+template <class P>
 class EventSolver final : public Solver {
  public:
   EventSolver(const Scene& scene, std::vector<Ball> balls);
@@ -35,15 +36,17 @@ class EventSolver final : public Solver {
   void save(Scene& scene) const override;
 
  private:
+  using S = typename P::Scalar;
+  using Disk = typename P::Disk;
+
   /// A moment: whole eras, and ticks of the present one.
   struct Moment {
     double era = 0;
-    event::Ticks ticks = 0;
+    typename P::Time ticks = 0;
   };
-  static constexpr event::Ticks kEra = event::Ticks{1} << 60;
 
   [[nodiscard]] Moment moment(double seconds) const;
-  [[nodiscard]] event::TickScale fitting_scale() const;
+  [[nodiscard]] typename P::Clock fitting_scale() const;
   void advance();
   void land();
   void start();
@@ -51,12 +54,12 @@ class EventSolver final : public Solver {
 
   Domain domain_;
   Effects effects_;
-  std::vector<Ball> balls_;           // as they were at the last `land`
-  std::vector<event::Disk> flights_;  // of the balls, in their order, while there is no tile
-  std::vector<event::Index> left_;    // the fixed ball at which each began, by number
-  std::vector<event::Index> slot_;    // where in the tile a ball is
-  event::TickScale scale_;
-  std::unique_ptr<event::Tile> tile_;
+  std::vector<Ball> balls_;         // as they were at the last `land`
+  std::vector<Disk> flights_;       // of the balls, in their order, while there is no tile
+  std::vector<event::Index> left_;  // the fixed ball at which each began, by number
+  std::vector<event::Index> slot_;  // where in the tile a ball is
+  typename P::Clock scale_;
+  std::unique_ptr<event::Tile<P>> tile_;
   event::Counts before_;  // counted in tiles that are gone
   Moment now_;
   Moment target_;

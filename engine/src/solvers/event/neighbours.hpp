@@ -18,17 +18,25 @@ namespace carom::event {
 /// a ball leaves its square it gets a new one, shifted the way it flies.
 ///
 /// Holds: lists are mutual.  Squares and lists never change a result, only what is looked at.
+/// Squares and distances are in double whatever the run computes in; when a flight leaves its
+/// square is not.
+template <class P>
 class Neighbours {
  public:
+  using Disks = HugeVector<typename P::Disk>;
   using Lists = ShortLists<14>;
 
-  explicit Neighbours(const Motion& motion) : motion_(motion) {}
+  explicit Neighbours(const Motion<P>& motion)
+      : motion_(motion),
+        periods_{static_cast<double>(motion.periods()[0]),
+                 static_cast<double>(motion.periods()[1])} {}
 
-  void reset(const HugeVector<Disk>& disks, Ticks now);
+  void reset(const Disks& disks, typename P::At now);
   /// A new square and list for a ball; gives the neighbours it did not have before.
-  [[nodiscard]] const std::vector<Index>& renew(const HugeVector<Disk>& disks, Index i, Ticks now);
+  [[nodiscard]] const std::vector<Index>& renew(const Disks& disks, Index i, typename P::At now);
   /// When the ball leaves its square.
-  [[nodiscard]] Ticks leaving(const Disk& disk, Index i, Ticks now) const;
+  [[nodiscard]] typename P::Time leaving(const typename P::Disk& disk, Index i,
+                                         typename P::At now) const;
 
   [[nodiscard]] const Lists& lists() const { return lists_; }
   /// Half the side of a square.
@@ -43,19 +51,24 @@ class Neighbours {
   void fetch_around(Index i) const;
 
  private:
+  using S = typename P::Scalar;
+
   struct Centre {
     double x, y;
   };
 
-  void choose_skin(const HugeVector<Disk>& disks);
-  void set_square(const Disk& disk, Index i, Ticks now);
+  [[nodiscard]] double radius(const typename P::Disk& disk) const {
+    return static_cast<double>(motion_.kind(disk).radius);
+  }
+  void choose_skin(const Disks& disks);
+  void set_square(const typename P::Disk& disk, Index i, typename P::At now);
   [[nodiscard]] std::uint32_t cell_of(const Centre& at) const;
   [[nodiscard]] std::uint32_t gather(std::uint32_t cell);
-  [[nodiscard]] std::uint32_t keep_near(const HugeVector<Disk>& disks, Index i,
-                                        std::uint32_t candidates);
-  void list(const HugeVector<Disk>& disks, Index i);
+  [[nodiscard]] std::uint32_t keep_near(const Disks& disks, Index i, std::uint32_t candidates);
+  void list(const Disks& disks, Index i);
 
-  const Motion& motion_;
+  const Motion<P>& motion_;
+  std::array<double, 2> periods_;
   double skin_ = 0;
   HugeVector<Centre> centres_;
   HugeVector<std::uint32_t> cell_;

@@ -38,64 +38,81 @@ struct Counts {
 /// Source: B. Lubachevsky, How to simulate billiards and similar systems, J. Comput. Phys. 94
 /// (1991) 255: one event a ball; A. Donev, S. Torquato, F. Stillinger, J. Comput. Phys. 202 (2005)
 /// 737: lists of neighbours that events renew.
+template <class P>
 class Tile {
  public:
-  explicit Tile(Rules rules);
+  using S = typename P::Scalar;
+  using Time = typename P::Time;
+  using At = typename P::At;
+  using Disk = typename P::Disk;
+
+  explicit Tile(BasicRules<S> rules);
   Tile(const Tile&) = delete;
   Tile& operator=(const Tile&) = delete;
 
   /// Takes these flights, the others are forgotten; `now` is not before any of their starts.
   /// `left`: the fixed ball at which each flight began, kUnknown where there is none; empty:
   /// nowhere.
-  void reset(const std::vector<Disk>& disks, Ticks now, const std::vector<Index>& left = {});
+  void reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left = {});
   /// Everything up to `until` has happened then.
-  void advance_to(Ticks until);
+  void advance_to(At until);
   /// Counts time from `by` ticks later on; nothing else changes.
-  void rebase(Ticks by);
+  void rebase(At by);
 
   [[nodiscard]] const HugeVector<Disk>& disks() const { return disks_; }
   /// The fixed ball at which a flight began; kUnknown where there is none or it does not matter.
   [[nodiscard]] Index left(Index i) const { return left_.empty() ? kUnknown : left_[i]; }
-  [[nodiscard]] const Motion& motion() const { return motion_; }
+  [[nodiscard]] const Motion<P>& motion() const { return motion_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  void next_event(Index i, Ticks now);
-  void meet(Index i, Ticks now);
-  void meet_alone(Index i, Index partner, Ticks now);
-  void forget(Index i);
-  void look_again(Index i, Ticks now);
-  void scan(Index i, Ticks now);
-  template <bool kFalls>
-  void look_at(Index i, const Index* others, std::uint32_t count, Ticks now, Meeting& best) const;
-  void look_at(Index i, const Index* others, std::uint32_t count, Ticks now, Meeting& best) const;
-  void look_at_pegs(Index i, const Index* others, std::uint32_t count, Meeting& best) const;
-  void link(Index i, const Meeting& best);
-  void unlink(Index i);
+  /// Whether several pairs are looked at side by side.
+  static constexpr bool kInLanes = kIsDouble<S>;
+  using Entry = typename Agenda<typename P::Clock>::Entry;
+
+  // The order of time: tile_body.hpp.
+  void next_event(Index i, At now);
   void announce(Index i) { agenda_.add(disks_[i].due(), i); }
-  void start_agenda(Ticks now);
-  void fetch(std::span<const Agenda::Entry> entries, std::span<const Agenda::Entry> after) const;
-  void watch(Ticks now);
+  void start_agenda(At now);
+  void fetch(std::span<const Entry> entries, std::span<const Entry> after) const;
 
-  // Impacts of one instant that share a ball: tile_instant.cpp.
+  // Impacts: tile_impact_body.hpp.
+  void meet(Index i, At now);
+  void meet_alone(Index i, Index partner, At now);
+  void forget(Index i);
+  void look_again(Index i, At now);
+  void watch(At now);
+
+  // Whom a ball meets next: tile_search_body.hpp, tile_lanes_body.hpp.
+  void scan(Index i, At now);
+  /// What of `others` the ball meets before `best`.
+  void look_at(Index i, const Index* others, std::uint32_t count, At now, Meeting<P>& best) const;
+  void look_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
+                     Meeting<P>& best) const;
+  void look_singly(Index i, Index other, At now, Meeting<P>& best) const;
+  void look_at_peg(Index i, Index peg, Meeting<P>& best) const;
+  void link(Index i, const Meeting<P>& best);
+  void unlink(Index i);
+
+  // Impacts of one instant that share a ball: tile_instant_body.hpp.
   struct Instant;
-  void note_tie(Ticks at) const { ties_.insert(at); }
-  [[nodiscard]] bool tied(Ticks now);
-  void meet_jointly(Index i, Index partner, Ticks now);
-  void add_member(Instant& instant, Index i, Ticks now) const;
-  void add_contacts(Instant& instant, std::size_t member, Ticks now) const;
-  [[nodiscard]] bool touch(Index i, Index j, Ticks now, const Vec<double>& r) const;
+  void note_tie(At at) const { ties_.insert(at); }
+  [[nodiscard]] bool tied(At now);
+  void meet_jointly(Index i, Index partner, At now);
+  void add_member(Instant& instant, Index i, At now) const;
+  void add_contacts(Instant& instant, std::size_t member, At now) const;
+  [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;
 
-  Motion motion_;
+  Motion<P> motion_;
   HugeVector<Disk> disks_;
-  Neighbours neighbours_{motion_};
-  Agenda agenda_;
+  Neighbours<P> neighbours_{motion_};
+  Agenda<typename P::Clock> agenda_;
   Counts counts_;
   std::vector<Index> left_;  ///< the fixed ball a flight began at; only where balls fall on pegs
-  mutable std::set<Ticks> ties_;  ///< when two impacts may share a ball
-  Ticks instant_ = 0;             ///< of the last impact
-  std::size_t at_once_ = 0;       ///< impacts at that instant
+  mutable std::set<Time> ties_;  ///< when two impacts may share a ball
+  Time instant_ = 0;             ///< of the last impact
+  std::size_t at_once_ = 0;      ///< impacts at that instant
 };
 
 }  // namespace carom::event

@@ -1,4 +1,4 @@
-#include "solvers/event/event_solver.hpp"
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -7,29 +7,26 @@
 #include <numeric>
 #include <utility>
 
+#include "solvers/event/event_solver.hpp"
 #include "state/balls.hpp"
 #include "state/totals.hpp"
 
 namespace carom {
-namespace {
+namespace event {
 
-using event::Disk;
-using event::Index;
-using event::Kind;
-using event::Ticks;
+inline constexpr double kRoomForSpeed = 4;  // of the light balls of a mixture, in thermal speeds
+inline constexpr std::size_t kManyBalls = 4000;   // from here on their order in memory matters
+inline constexpr std::uint64_t kSortAfter = 100;  // impacts of each ball
 
-constexpr double kRoomForSpeed = 4;        // of the light balls of a mixture, in thermal speeds
-constexpr std::size_t kManyBalls = 4000;   // from here on their order in memory matters
-constexpr std::uint64_t kSortAfter = 100;  // impacts of each ball
-
-std::array<double, 2> gravity_of(const Effects& effects) {
+inline std::array<double, 2> gravity_of(const Effects& effects) {
   if (!effects.gravity) return {0, 0};
   return {effects.gravity->acceleration.x(), effects.gravity->acceleration.y()};
 }
 
-}  // namespace
+}  // namespace event
 
-EventSolver::EventSolver(const Scene& scene, std::vector<Ball> balls)
+template <class P>
+EventSolver<P>::EventSolver(const Scene& scene, std::vector<Ball> balls)
     : domain_(scene.box, scene.effects.walls.has_value()),
       effects_(scene.effects),
       balls_(std::move(balls)) {
@@ -55,15 +52,19 @@ EventSolver::EventSolver(const Scene& scene, std::vector<Ball> balls)
   start();
 }
 
-EventSolver::Moment EventSolver::moment(double seconds) const {
-  const double ticks = seconds * scale_.per_second();
-  const double era = std::floor(ticks / static_cast<double>(kEra));
-  return {era, static_cast<Ticks>(ticks - era * static_cast<double>(kEra))};
+template <class P>
+auto EventSolver<P>::moment(double seconds) const -> Moment {
+  using std::floor;
+  const S length = static_cast<S>(P::Clock::era());
+  const S ticks = seconds * scale_.per_second();
+  const S era = floor(S(ticks / length));
+  return {static_cast<double>(era), P::Clock::whole(ticks - era * length)};
 }
 
 // From the fastest ball, what falling across the box adds, and the speed that the lightest ball
 // gets when all share the energy.
-event::TickScale EventSolver::fitting_scale() const {
+template <class P>
+typename P::Clock EventSolver<P>::fitting_scale() const {
   const double width = domain_.upper[0] - domain_.lower[0];
   const double height = domain_.upper[1] - domain_.lower[1];
   double square = 0;
@@ -78,16 +79,17 @@ event::TickScale EventSolver::fitting_scale() const {
     lightest = moving == 0 ? ball.mass : std::min(lightest, ball.mass);
     ++moving;
   }
-  const auto [gx, gy] = gravity_of(effects_);
+  const auto [gx, gy] = event::gravity_of(effects_);
   double speed = std::sqrt(square) + std::sqrt(std::abs(gx) * width + std::abs(gy) * height);
   if (moving > 0) {
     const double share = energy / static_cast<double>(moving);
-    speed = std::max(speed, kRoomForSpeed * std::sqrt(share / lightest));
+    speed = std::max(speed, event::kRoomForSpeed * std::sqrt(share / lightest));
   }
-  return speed > 0 ? event::TickScale(std::min(width, height) / speed) : event::TickScale(1);
+  return typename P::Clock(speed > 0 ? std::min(width, height) / speed : 1);
 }
 
-std::vector<Phase> EventSolver::phases() {
+template <class P>
+std::vector<Phase> EventSolver<P>::phases() {
   return {{"impacts",
            [this](Share share) {
              if (share.index == 0) advance();
@@ -95,7 +97,8 @@ std::vector<Phase> EventSolver::phases() {
            [] { return Phase::kFrameDone; }}};
 }
 
-std::size_t EventSolver::aim(double time) {
+template <class P>
+std::size_t EventSolver<P>::aim(double time) {
   const Moment wanted = moment(time);
   if (wanted.era < now_.era || (wanted.era == now_.era && wanted.ticks <= now_.ticks)) {
     return Phase::kFrameDone;
@@ -104,31 +107,34 @@ std::size_t EventSolver::aim(double time) {
   return 0;
 }
 
-void EventSolver::advance() {
+template <class P>
+void EventSolver<P>::advance() {
   while (now_.era < target_.era) {
-    tile_->advance_to(kEra);
-    tile_->rebase(kEra);
+    tile_->advance_to(P::Clock::era());
+    tile_->rebase(P::Clock::era());
     now_ = {now_.era + 1, 0};
   }
   tile_->advance_to(target_.ticks);
   now_ = target_;
   const std::uint64_t impacts = tile_->counts().ball_ball + tile_->counts().ball_wall;
-  if (balls_.size() >= kManyBalls && impacts - sorted_at_ > kSortAfter * balls_.size()) {
+  if (balls_.size() >= event::kManyBalls &&
+      impacts - sorted_at_ > event::kSortAfter * balls_.size()) {
     land();
     start();
   }
 }
 
 // Takes the flights out of the tile, into the order of the balls.
-void EventSolver::land() {
+template <class P>
+void EventSolver<P>::land() {
   balls_ = state();
   flights_.resize(slot_.size());
   left_.assign(slot_.size(), event::kUnknown);
-  std::vector<Index> number(slot_.size());
-  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = static_cast<Index>(i);
+  std::vector<event::Index> number(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = static_cast<event::Index>(i);
   for (std::size_t i = 0; i < slot_.size(); ++i) {
     flights_[i] = tile_->disks()[slot_[i]];
-    const Index left = tile_->left(slot_[i]);
+    const event::Index left = tile_->left(slot_[i]);
     if (left != event::kUnknown) left_[i] = number[left];
   }
   const event::Counts& counts = tile_->counts();
@@ -138,11 +144,12 @@ void EventSolver::land() {
 }
 
 // Neighbours in the plane are put next to each other in memory: no result depends on it.
-void EventSolver::sort_by_place() {
+template <class P>
+void EventSolver<P>::sort_by_place() {
   const std::size_t n = balls_.size();
-  std::vector<Index> order(n);
+  std::vector<event::Index> order(n);
   std::iota(order.begin(), order.end(), 0U);
-  if (n >= kManyBalls) {
+  if (n >= event::kManyBalls) {
     const double area =
         (domain_.upper[0] - domain_.lower[0]) * (domain_.upper[1] - domain_.lower[1]);
     const double block = 8 * std::sqrt(area / static_cast<double>(n));
@@ -152,34 +159,36 @@ void EventSolver::sort_by_place() {
                   std::floor(balls_[i].position.x() / block)};
     }
     std::stable_sort(order.begin(), order.end(),
-                     [&](Index a, Index b) { return place[a] < place[b]; });
+                     [&](event::Index a, event::Index b) { return place[a] < place[b]; });
   }
   slot_.resize(n);
-  for (std::size_t k = 0; k < n; ++k) slot_[order[k]] = static_cast<Index>(k);
+  for (std::size_t k = 0; k < n; ++k) slot_[order[k]] = static_cast<event::Index>(k);
 }
 
-void EventSolver::start() {
-  event::Rules rules{domain_,
-                     scale_,
-                     gravity_of(effects_),
-                     effects_.collisions.has_value(),
-                     effects_.collisions ? effects_.collisions->restitution : 1,
-                     effects_.walls ? effects_.walls->restitution : 1,
-                     {}};
+template <class P>
+void EventSolver<P>::start() {
+  event::BasicRules<S> rules{domain_,
+                             scale_,
+                             event::gravity_of(effects_),
+                             effects_.collisions.has_value(),
+                             effects_.collisions ? effects_.collisions->restitution : 1,
+                             effects_.walls ? effects_.walls->restitution : 1,
+                             {}};
   sort_by_place();
-  std::map<std::pair<double, double>, Index> kinds;
+  std::map<std::pair<S, S>, event::Index> kinds;
   std::vector<Disk> disks(balls_.size());
   for (std::size_t i = 0; i < balls_.size(); ++i) {
-    const Kind kind{balls_[i].radius, balls_[i].fixed ? 0 : 1 / balls_[i].mass};
-    const auto [at, added] =
-        kinds.try_emplace({kind.radius, kind.inverse_mass}, static_cast<Index>(rules.kinds.size()));
+    const event::BasicKind<S> kind{balls_[i].radius,
+                                   balls_[i].fixed ? S(0) : S(1 / S(balls_[i].mass))};
+    const auto [at, added] = kinds.try_emplace({kind.radius, kind.inverse_mass},
+                                               static_cast<event::Index>(rules.kinds.size()));
     if (added) rules.kinds.push_back(kind);
     flights_[i].kind = at->second;
     disks[slot_[i]] = flights_[i];
   }
-  tile_ = std::make_unique<event::Tile>(std::move(rules));
+  tile_ = std::make_unique<event::Tile<P>>(std::move(rules));
   left_.resize(balls_.size(), event::kUnknown);
-  std::vector<Index> left(balls_.size(), event::kUnknown);
+  std::vector<event::Index> left(balls_.size(), event::kUnknown);
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     if (left_[i] != event::kUnknown) left[slot_[i]] = slot_[left_[i]];
   }
@@ -188,7 +197,8 @@ void EventSolver::start() {
   sorted_at_ = 0;
 }
 
-void EventSolver::add(const Ball& ball) {
+template <class P>
+void EventSolver<P>::add(const Ball& ball) {
   land();
   balls_.push_back(ball);
   Disk disk;
@@ -201,12 +211,13 @@ void EventSolver::add(const Ball& ball) {
   start();
 }
 
-void EventSolver::remove(std::size_t ball) {
+template <class P>
+void EventSolver<P>::remove(std::size_t ball) {
   land();
   balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(ball));
   flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(ball));
   left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ball));
-  for (Index& left : left_) {
+  for (event::Index& left : left_) {
     if (left == event::kUnknown || left < ball) continue;
     left = left == ball ? event::kUnknown : left - 1;
   }
@@ -214,13 +225,14 @@ void EventSolver::remove(std::size_t ball) {
 }
 
 // A new field bends the flights: they start anew where they are.
-void EventSolver::set(const Effects& effects) {
+template <class P>
+void EventSolver<P>::set(const Effects& effects) {
   land();
   if (effects.walls) effects_.walls = effects.walls;
   if (effects.collisions) effects_.collisions = effects.collisions;
   if (effects.gravity) {
     for (Disk& disk : flights_) {
-      if (disk.start != event::kEver) tile_->motion().carry(disk, now_.ticks);
+      if (disk.start != P::Clock::ever()) tile_->motion().carry(disk, now_.ticks);
     }
     std::fill(left_.begin(), left_.end(), event::kUnknown);
     effects_.gravity = effects.gravity;
@@ -228,16 +240,17 @@ void EventSolver::set(const Effects& effects) {
   start();
 }
 
-std::vector<Ball> EventSolver::state() const {
+template <class P>
+std::vector<Ball> EventSolver<P>::state() const {
   std::vector<Ball> result = balls_;
-  const event::Motion& motion = tile_->motion();
+  const event::Motion<P>& motion = tile_->motion();
   for (std::size_t i = 0; i < slot_.size(); ++i) {
     if (result[i].fixed) continue;
     const Disk& disk = tile_->disks()[slot_[i]];
     const auto at = motion.wrapped(motion.place(disk, now_.ticks));
     const auto v = motion.velocity(disk, now_.ticks);
-    result[i].position = {at.x, at.y};
-    result[i].velocity = {v.x, v.y};
+    result[i].position = {static_cast<double>(at.x), static_cast<double>(at.y)};
+    result[i].velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
     for (std::size_t axis = 0; axis < 2; ++axis) {
       if (!domain_.solid(axis)) continue;
       double& x = result[i].position[static_cast<Eigen::Index>(axis)];
@@ -248,22 +261,26 @@ std::vector<Ball> EventSolver::state() const {
   return result;
 }
 
-std::string EventSolver::state_hash() const {
+template <class P>
+std::string EventSolver<P>::state_hash() const {
   return carom::state_hash(Balls(state()));
 }
 
-double EventSolver::energy() const {
+template <class P>
+double EventSolver<P>::energy() const {
   const Balls balls(state());
-  const auto [gx, gy] = gravity_of(effects_);
+  const auto [gx, gy] = event::gravity_of(effects_);
   return kinetic_energy(balls) +
          potential_energy(balls, {gx, gy}, {domain_.period[0], domain_.period[1]}, {});
 }
 
-Vec2 EventSolver::momentum() const {
+template <class P>
+Vec2 EventSolver<P>::momentum() const {
   return carom::momentum(Balls(state()));
 }
 
-void EventSolver::count(Measurements& measurements) const {
+template <class P>
+void EventSolver<P>::count(Measurements& measurements) const {
   const event::Counts& counts = tile_->counts();
   measurements.ball_ball += before_.ball_ball + counts.ball_ball;
   measurements.ball_wall += before_.ball_wall + counts.ball_wall;
@@ -271,7 +288,8 @@ void EventSolver::count(Measurements& measurements) const {
       std::max({measurements.max_overlap, before_.max_overlap, counts.max_overlap});
 }
 
-void EventSolver::save(Scene& scene) const {
+template <class P>
+void EventSolver<P>::save(Scene& scene) const {
   scene.solver.method = Method::event;
 }
 

@@ -1,3 +1,5 @@
+#pragma once
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -8,11 +10,12 @@
 namespace carom::event {
 
 /// The balls that touch at one instant, and all their contacts.
-struct Tile::Instant {
+template <class P>
+struct Tile<P>::Instant {
   std::vector<Index> members;  ///< balls and fixed balls; the first is the one it began with
-  std::vector<Vec<double>> places;
-  std::vector<Body<double>> bodies;
-  std::vector<Contact<double>> contacts;
+  std::vector<Vec<S>> places;
+  std::vector<Body<S>> bodies;
+  std::vector<Contact<S>> contacts;
   struct Stop {
     std::size_t member;
     Index wall;
@@ -24,13 +27,15 @@ struct Tile::Instant {
   }
 };
 
-bool Tile::tied(Ticks now) {
+template <class P>
+bool Tile<P>::tied(At now) {
   if (ties_.empty()) return false;
   ties_.erase(ties_.begin(), ties_.lower_bound(now));
   return !ties_.empty() && *ties_.begin() == now;
 }
 
-bool Tile::touch(Index i, Index j, Ticks now, const Vec<double>& r) const {
+template <class P>
+bool Tile<P>::touch(Index i, Index j, At now, const Vec<S>& r) const {
   const Disk& a = disks_[i];
   const Disk& b = disks_[j];
   if (!(squared_gap(r, motion_.kind(a).radius + motion_.kind(b).radius) > 0)) return true;
@@ -38,17 +43,19 @@ bool Tile::touch(Index i, Index j, Ticks now, const Vec<double>& r) const {
   return motion_.pair_meets(a, b, from_contact) == now;
 }
 
-void Tile::add_member(Instant& instant, Index i, Ticks now) const {
+template <class P>
+void Tile<P>::add_member(Instant& instant, Index i, At now) const {
   const Disk& disk = disks_[i];
   instant.members.push_back(i);
   instant.places.push_back(motion_.wrapped(motion_.place(disk, now)));
   instant.bodies.push_back({motion_.velocity(disk, now), motion_.kind(disk).inverse_mass});
 }
 
-void Tile::add_contacts(Instant& instant, std::size_t member, Ticks now) const {
+template <class P>
+void Tile<P>::add_contacts(Instant& instant, std::size_t member, At now) const {
   const Index i = instant.members[member];
   const Disk& disk = disks_[i];
-  const Rules& rules = motion_.rules();
+  const auto& rules = motion_.rules();
   if (motion_.fixed(disk)) return;
   for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
     if (!rules.domain.solid((wall - kWalls) / 2)) continue;
@@ -56,37 +63,39 @@ void Tile::add_contacts(Instant& instant, std::size_t member, Ticks now) const {
         motion_.wall_meets(disk, wall) != now) {
       continue;
     }
-    const double side = wall % 2 == kWalls % 2 ? -1 : 1;
-    const Vec<double> towards = wall - kWalls < 2 ? Vec<double>{side, 0} : Vec<double>{0, side};
+    const S side = wall % 2 == kWalls % 2 ? -1 : 1;
+    const Vec<S> towards = wall - kWalls < 2 ? Vec<S>{side, S(0)} : Vec<S>{S(0), side};
     instant.stops.push_back({member, wall});
-    instant.contacts.push_back({static_cast<int>(member), kWall, towards, rules.wall_restitution});
+    instant.contacts.push_back(
+        {static_cast<int>(member), kWall, towards, S(rules.wall_restitution)});
   }
   if (!rules.collisions) return;
   neighbours_.lists().each(i, [&](Index j) {
     const std::size_t other = instant.find(j);
     const bool known = other < instant.members.size();
-    const Vec<double> there =
+    const Vec<S> there =
         known ? instant.places[other] : motion_.wrapped(motion_.place(disks_[j], now));
-    const Vec<double> r = motion_.way(instant.places[member], there);
+    const Vec<S> r = motion_.way(instant.places[member], there);
     if (!touch(i, j, now, r)) return;
     if (!known) add_member(instant, j, now);
     // Each pair once: with the later of its balls, or the one that is not fixed.
     if (other > member && !motion_.fixed(disks_[j])) return;
     instant.contacts.push_back(
-        {static_cast<int>(member), static_cast<int>(other), r, rules.restitution});
+        {static_cast<int>(member), static_cast<int>(other), r, S(rules.restitution)});
   });
 }
 
-void Tile::meet_jointly(Index i, Index partner, Ticks now) {
+template <class P>
+void Tile<P>::meet_jointly(Index i, Index partner, At now) {
   Instant instant;
   add_member(instant, i, now);
   if (partner < kFirstMark) add_member(instant, partner, now);
   for (std::size_t k = 0; k < instant.members.size(); ++k) add_contacts(instant, k, now);
 
-  const std::vector<Body<double>> before = instant.bodies;
-  const JointReport report = joint_impact<double>(instant.bodies, instant.contacts);
+  const std::vector<Body<S>> before = instant.bodies;
+  const JointReport report = joint_impact<S>(instant.bodies, instant.contacts);
   std::size_t walls = 0;
-  for (const Instant::Stop& stop : instant.stops) {
+  for (const typename Instant::Stop& stop : instant.stops) {
     const bool turned = !(before[stop.member].velocity == instant.bodies[stop.member].velocity);
     if (turned) ++walls;
   }
@@ -112,14 +121,14 @@ void Tile::meet_jointly(Index i, Index partner, Ticks now) {
     disk.start = now;
     if (!left_.empty()) left_[m] = kUnknown;
   }
-  for (const Instant::Stop& stop : instant.stops) {
+  for (const typename Instant::Stop& stop : instant.stops) {
     Disk& disk = disks_[instant.members[stop.member]];
     if (disk.start != now) continue;
-    const double at = motion_.wall(disk, {disk.x, disk.y}, stop.wall).stop;
+    const S at = motion_.wall(disk, {disk.x, disk.y}, stop.wall).stop;
     (stop.wall - kWalls < 2 ? disk.x : disk.y) = at;
   }
   if (!left_.empty()) {
-    for (const Contact<double>& contact : instant.contacts) {
+    for (const Contact<S>& contact : instant.contacts) {
       if (contact.b == kWall) continue;
       const Index a = instant.members[static_cast<std::size_t>(contact.a)];
       const Index b = instant.members[static_cast<std::size_t>(contact.b)];

@@ -1,18 +1,20 @@
-#include "solvers/event/agenda.hpp"
+#pragma once
 
 #include <bit>
 
+#include "solvers/event/agenda.hpp"
+
 namespace carom::event {
 
-void Agenda::reset(Ticks now, Ticks width, std::size_t buckets) {
+template <class Clock>
+void Agenda<Clock>::reset(At now, Time width, std::size_t buckets) {
   const std::size_t count = std::bit_ceil(std::max<std::size_t>(buckets, 4));
-  width = std::min(width, kLongestFlight / static_cast<Ticks>(count));
+  width = std::min(width, Time(Clock::longest_flight() / static_cast<std::int64_t>(count)));
   origin_ = now;
-  shift_ =
-      static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::max<Ticks>(width, 1)))) - 1;
+  shift_ = Clock::shift_of(width);
   mask_ = count - 1;
   present_ = 0;
-  year_end_ = static_cast<Ticks>(count);
+  year_end_ = static_cast<std::int64_t>(count);
   buckets_.assign(count, {});
   ordered_.clear();
   next_ = 0;
@@ -20,15 +22,16 @@ void Agenda::reset(Ticks now, Ticks width, std::size_t buckets) {
   far_.clear();
 }
 
-void Agenda::rebase(Ticks by) {
+template <class Clock>
+void Agenda<Clock>::rebase(At by) {
   // Buckets are numbered anew too, by whole turns of the ring, so that no difference of times grows
   // beyond what a number holds.
-  const auto turn = static_cast<Ticks>(buckets_.size());
-  const Ticks numbers = present_ / turn * turn;
+  const auto turn = static_cast<std::int64_t>(buckets_.size());
+  const std::int64_t numbers = present_ / turn * turn;
   present_ -= numbers;
   year_end_ -= numbers;
-  origin_ += (numbers << shift_) - by;
-  const auto shift = [by](std::vector<Entry>& entries) {
+  origin_ += Clock::span(numbers, shift_) - by;
+  const auto shift = [&by](std::vector<Entry>& entries) {
     for (Entry& entry : entries) entry.time -= by;
   };
   for (auto& bucket : buckets_) shift(bucket);
@@ -37,13 +40,15 @@ void Agenda::rebase(Ticks by) {
   shift(far_);
 }
 
-std::size_t Agenda::bytes() const {
+template <class Clock>
+std::size_t Agenda<Clock>::bytes() const {
   std::size_t entries = ordered_.capacity() + late_.capacity() + far_.capacity();
   for (const auto& bucket : buckets_) entries += bucket.capacity();
   return entries * sizeof(Entry) + buckets_.capacity() * sizeof(std::vector<Entry>);
 }
 
-std::size_t Agenda::size() const {
+template <class Clock>
+std::size_t Agenda<Clock>::size() const {
   std::size_t entries = ordered_.size() - next_ + late_.size() + far_.size();
   for (const auto& bucket : buckets_) entries += bucket.size();
   return entries;

@@ -1,37 +1,36 @@
-#include "solvers/event/neighbours.hpp"
+#pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include "contact/event_wall_time.hpp"
 #include "solvers/event/lanes.hpp"
+#include "solvers/event/neighbours.hpp"
 
 namespace carom::event {
-namespace {
 
 // How far the new square is shifted the way the ball flies, as a part of half its side.
-constexpr double kForward = 0.7;
+inline constexpr double kForward = 0.7;
 // Wider than the rounding of centres and gaps.
-constexpr double kMargin = 0x1p-30;
-
-}  // namespace
+inline constexpr double kMargin = 0x1p-30;
 
 // Half a side that makes searching for neighbours about as dear as looking at them: measured at
 // packings 0.1, 0.5 and 0.7 of equal disks.
-void Neighbours::choose_skin(const HugeVector<Disk>& disks) {
+template <class P>
+void Neighbours<P>::choose_skin(const Disks& disks) {
   const Domain& domain = motion_.rules().domain;
   const double area = (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]);
   double diameters = 0;
-  for (const Disk& disk : disks) diameters += 2 * motion_.kind(disk).radius;
+  for (const auto& disk : disks) diameters += 2 * radius(disk);
   const auto n = static_cast<double>(std::max<std::size_t>(disks.size(), 1));
   const double diameter = diameters / n;
   const double spacing = std::sqrt(area / n);
   skin_ = 0.15 * diameter + 0.75 * std::max(spacing - diameter, 0.0);
-  for (const double period : motion_.periods()) skin_ = std::min(skin_, period / 8);
+  for (const double period : periods_) skin_ = std::min(skin_, period / 8);
 }
 
-void Neighbours::reset(const HugeVector<Disk>& disks, Ticks now) {
+template <class P>
+void Neighbours<P>::reset(const Disks& disks, typename P::At now) {
   choose_skin(disks);
   const Domain& domain = motion_.rules().domain;
   const double range = (2 * motion_.largest_radius() + 2 * skin_) * (1 + kMargin);
@@ -56,7 +55,8 @@ void Neighbours::reset(const HugeVector<Disk>& disks, Ticks now) {
   for (Index i = 0; i < n; ++i) list(disks, i);
 }
 
-std::uint32_t Neighbours::cell_of(const Centre& at) const {
+template <class P>
+std::uint32_t Neighbours<P>::cell_of(const Centre& at) const {
   const Domain& domain = motion_.rules().domain;
   const auto along = [&](double x, std::size_t axis) {
     const double cells = (x - domain.lower[axis]) * per_length_[axis];
@@ -65,38 +65,58 @@ std::uint32_t Neighbours::cell_of(const Centre& at) const {
   return along(at.y, 1) * count_[0] + along(at.x, 0);
 }
 
-void Neighbours::set_square(const Disk& disk, Index i, Ticks now) {
+template <class P>
+void Neighbours<P>::set_square(const typename P::Disk& disk, Index i, typename P::At now) {
+  const auto rough = [](const Vec<S>& a) {
+    return Vec<double>{static_cast<double>(a.x), static_cast<double>(a.y)};
+  };
+  const Vec<double> at = rough(motion_.place(disk, now));
   if (motion_.fixed(disk)) {
-    centres_[i] = {disk.x, disk.y};
+    centres_[i] = {at.x, at.y};
     return;
   }
-  const Vec<double> at = motion_.place(disk, now);
-  const Vec<double> v = motion_.velocity(disk, now);
+  const Vec<double> v = rough(motion_.velocity(disk, now));
   const double speed = std::max(std::abs(v.x), std::abs(v.y));
   const double ahead = speed > 0 ? kForward * skin_ / speed : 0;
-  const Vec<double> centre = motion_.wrapped({at.x + v.x * ahead, at.y + v.y * ahead});
-  centres_[i] = {centre.x, centre.y};
+  const Domain& domain = motion_.rules().domain;
+  const auto wrapped = [&domain](std::size_t axis, double x) {
+    return domain.period[axis] > 0 ? domain.wrapped(axis, x) : x;
+  };
+  centres_[i] = {wrapped(0, at.x + v.x * ahead), wrapped(1, at.y + v.y * ahead)};
 }
 
-Ticks Neighbours::leaving(const Disk& disk, Index i, Ticks now) const {
-  if (motion_.fixed(disk)) return kNever;
-  const Vec<double> off = motion_.way({centres_[i].x, centres_[i].y}, motion_.place(disk, now));
-  const Vec<double> v = motion_.velocity(disk, now);
-  double wait = 0;
-  if (motion_.falls()) {
-    const auto& g = motion_.rules().gravity;
-    wait = std::min({wall_time(skin_ - off.x, -v.x, -g[0]), wall_time(skin_ + off.x, v.x, g[0]),
-                     wall_time(skin_ - off.y, -v.y, -g[1]), wall_time(skin_ + off.y, v.y, g[1])});
+template <class P>
+typename P::Time Neighbours<P>::leaving(const typename P::Disk& disk, Index i,
+                                        typename P::At now) const {
+  if (motion_.fixed(disk)) return P::Clock::never();
+  const S skin = skin_;
+  const Vec<S> off = motion_.way({centres_[i].x, centres_[i].y}, motion_.place(disk, now));
+  const Vec<S> v = motion_.velocity(disk, now);
+  S wait = 0;
+  if constexpr (P::Law::kBends) {
+    const auto& law = motion_.law();
+    wait = std::min({law.wall_wait(0, -1, S(skin - off.x), S(-v.x)),
+                     law.wall_wait(0, 1, S(skin + off.x), v.x),
+                     law.wall_wait(1, -1, S(skin - off.y), S(-v.y)),
+                     law.wall_wait(1, 1, S(skin + off.y), v.y)});
   } else {
-    const double wait_x = (skin_ - std::copysign(1.0, v.x) * off.x) / std::abs(v.x);
-    const double wait_y = (skin_ - std::copysign(1.0, v.y) * off.y) / std::abs(v.y);
-    wait = std::min(v.x == 0 ? never<double>() : wait_x, v.y == 0 ? never<double>() : wait_y);
+    const auto along = [&skin](const S& at, const S& speed) {
+      if constexpr (kIsDouble<S>) {  // without a branch on which way it flies
+        return (skin - std::copysign(1.0, speed) * at) / std::abs(speed);
+      } else {
+        return S((speed < 0 ? S(skin + at) : S(skin - at)) / absolute(speed));
+      }
+    };
+    const S wait_x = along(off.x, v.x);
+    const S wait_y = along(off.y, v.y);
+    wait = std::min(v.x == 0 ? never<S>() : wait_x, v.y == 0 ? never<S>() : wait_y);
   }
-  const Ticks ticks = motion_.rules().scale.ticks(std::max(wait, 0.0));
-  return ticks == kNever ? kNever : now + ticks;
+  const auto ticks = motion_.rules().scale.ticks(std::max(wait, S(0)));
+  return ticks == P::Clock::never() ? ticks : typename P::Time(now + ticks);
 }
 
-std::uint32_t Neighbours::gather(std::uint32_t cell) {
+template <class P>
+std::uint32_t Neighbours<P>::gather(std::uint32_t cell) {
   const Domain& domain = motion_.rules().domain;
   const std::array<int, 2> middle{static_cast<int>(cell % count_[0]),
                                   static_cast<int>(cell / count_[0])};
@@ -136,16 +156,16 @@ std::uint32_t Neighbours::gather(std::uint32_t cell) {
 }
 
 // Without branches: which of the candidates are near cannot be foreseen.
-std::uint32_t Neighbours::keep_near(const HugeVector<Disk>& disks, Index i,
-                                    std::uint32_t candidates) {
+template <class P>
+std::uint32_t Neighbours<P>::keep_near(const Disks& disks, Index i, std::uint32_t candidates) {
   if (found_.size() < candidates + kLanes) found_.resize(candidates + 64);
   Index* const list = found_.data();
   for (std::uint32_t l = 0; l < kLanes; ++l) list[candidates + l] = i;
   const Centre at = centres_[i];
   const Lanes zero{};
-  const Lanes period_x = zero + motion_.periods()[0];
-  const Lanes period_y = zero + motion_.periods()[1];
-  const double radius = motion_.kind(disks[i]).radius;
+  const Lanes period_x = zero + periods_[0];
+  const Lanes period_y = zero + periods_[1];
+  const double radius = this->radius(disks[i]);
   const double wider = 1 + kMargin;
   Lanes reach = zero + 2 * radius * wider;
   std::uint32_t found = 0;
@@ -162,7 +182,7 @@ std::uint32_t Neighbours::keep_near(const HugeVector<Disk>& disks, Index i,
     dy = dy < zero ? zero : dy;
     if (!motion_.one_kind()) {
       for (std::uint32_t l = 0; l < kLanes; ++l) {
-        reach[l] = (radius + motion_.kind(disks[j[l]]).radius) * wider;
+        reach[l] = (radius + this->radius(disks[j[l]])) * wider;
       }
     }
     const WholeLanes near = dx * dx + dy * dy <= reach * reach;
@@ -174,7 +194,8 @@ std::uint32_t Neighbours::keep_near(const HugeVector<Disk>& disks, Index i,
   return found;
 }
 
-void Neighbours::list(const HugeVector<Disk>& disks, Index i) {
+template <class P>
+void Neighbours<P>::list(const Disks& disks, Index i) {
   const std::uint32_t found = keep_near(disks, i, gather(cell_[i]));
   if (stamp_ > 0xfffffff0U) {
     std::fill(seen_.begin(), seen_.end(), 0);
@@ -197,7 +218,8 @@ void Neighbours::list(const HugeVector<Disk>& disks, Index i) {
   lists_.assign(i, found_.data(), found);
 }
 
-const std::vector<Index>& Neighbours::renew(const HugeVector<Disk>& disks, Index i, Ticks now) {
+template <class P>
+const std::vector<Index>& Neighbours<P>::renew(const Disks& disks, Index i, typename P::At now) {
   set_square(disks[i], i, now);
   const std::uint32_t cell = cell_of(centres_[i]);
   if (cell != cell_[i]) {
@@ -209,7 +231,8 @@ const std::vector<Index>& Neighbours::renew(const HugeVector<Disk>& disks, Index
   return fresh_;
 }
 
-void Neighbours::fetch_around(Index i) const {
+template <class P>
+void Neighbours<P>::fetch_around(Index i) const {
   const std::uint32_t last = count_[0] * count_[1] - 1;
   for (const std::uint32_t row : {cell_[i] - count_[0], cell_[i], cell_[i] + count_[0]}) {
     for (std::uint32_t c = 0; c < 3; ++c) {
@@ -218,7 +241,8 @@ void Neighbours::fetch_around(Index i) const {
   }
 }
 
-std::size_t Neighbours::bytes() const {
+template <class P>
+std::size_t Neighbours<P>::bytes() const {
   return centres_.capacity() * sizeof(Centre) +
          (cell_.capacity() + seen_.capacity() + found_.capacity()) * sizeof(Index) +
          lists_.bytes() + cells_.bytes();

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "solvers/event/agenda_body.hpp"
+#include "solvers/event/event_solver_body.hpp"
+#include "solvers/event/motion_body.hpp"
+#include "solvers/event/neighbours_body.hpp"
+#include "solvers/event/tile_body.hpp"
+#include "solvers/event/tile_impact_body.hpp"
+#include "solvers/event/tile_instant_body.hpp"
+#include "solvers/event/tile_lanes_body.hpp"
+#include "solvers/event/tile_search_body.hpp"
+
+/// The whole method compiled for one Physics: a source file for each.
+#define CAROM_COMPILE_EVENT(PHYSICS)            \
+  namespace carom {                             \
+  template class event::Motion<event::PHYSICS>; \
+  template class event::Tile<event::PHYSICS>;   \
+  template class EventSolver<event::PHYSICS>;   \
+  }

@@ -1,0 +1,195 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "contact/event_impulse.hpp"
+#include "contact/event_pair_time.hpp"
+#include "solvers/event/lanes.hpp"
+#include "solvers/event/motion.hpp"
+
+namespace carom::event {
+
+template <class S>
+Flight<S> flight(const BasicDisk<S>& disk) {
+  return {{disk.x, disk.y}, {disk.vx, disk.vy}};
+}
+
+template <class P>
+Motion<P>::Motion(Rules rules)
+    : rules_(std::move(rules)), law_(P::law(rules_)), room_(rules_.domain) {
+  S largest = 0;
+  for (const Kind& kind : rules_.kinds) largest = std::max(largest, kind.radius);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const S period = rules_.domain.period[axis];
+    // Two balls whose nearest images do not meet while each goes this far meet in no other image.
+    reach_[axis] = std::min(S(period / 8), S((period / 2 - 2 * largest) * 0.4375));
+  }
+  largest_radius_ = static_cast<double>(largest);
+}
+
+template <class P>
+auto Motion<P>::place(const Disk& disk, At now) const -> Vec<S> {
+  if constexpr (P::Law::kBends) {
+    if (fixed(disk)) return {disk.x, disk.y};
+  }
+  const S elapsed = rules_.scale.seconds(now - disk.start);
+  return Vec<S>{disk.x, disk.y} + law_.displacement(flight(disk), elapsed);
+}
+
+template <class P>
+auto Motion<P>::velocity(const Disk& disk, At now) const -> Vec<S> {
+  if constexpr (P::Law::kBends) {
+    if (!fixed(disk)) {
+      const S elapsed = rules_.scale.seconds(now - disk.start);
+      return Vec<S>{disk.vx, disk.vy} + law_.velocity_change(flight(disk), elapsed);
+    }
+  }
+  return {disk.vx, disk.vy};
+}
+
+template <class P>
+auto Motion<P>::way(const Vec<S>& a, const Vec<S>& b) const -> Vec<S> {
+  const std::array<S, 2>& periods = room_.periods();
+  return {nearest(S(b.x - a.x), periods[0], S(periods[0] / 2)),
+          nearest(S(b.y - a.y), periods[1], S(periods[1] / 2))};
+}
+
+template <class P>
+auto Motion<P>::wrapped(const Vec<S>& at) const -> Vec<S> {
+  return {room_.wrapped(0, at.x), room_.wrapped(1, at.y)};
+}
+
+template <class P>
+auto Motion<P>::pair_meets(const Disk& a, const Disk& b, bool from_contact) const -> Time {
+  const S reach = kind(a).radius + kind(b).radius;
+  if constexpr (P::Law::kBends) {
+    if (fixed(a) || fixed(b)) {
+      const Disk& ball = fixed(a) ? b : a;
+      const Disk& peg = fixed(a) ? a : b;
+      const Vec<S> r = way({peg.x, peg.y}, {ball.x, ball.y});
+      const S wait = law_.peg_wait(r, Vec<S>{ball.vx, ball.vy}, reach, from_contact);
+      const Time ticks = rules_.scale.ticks(wait);
+      return ticks == P::Clock::never() ? ticks : Time(ball.start + ticks);
+    }
+  }
+  const bool swap = b.start < a.start;
+  const Disk& earlier = swap ? b : a;
+  const Disk& later = swap ? a : b;
+  const S elapsed = rules_.scale.seconds(later.start - earlier.start);
+  Relative<S> relative = relative_at_later_start(law_, flight(earlier), elapsed, flight(later));
+  const std::array<S, 2>& periods = room_.periods();
+  relative.r.x = nearest(relative.r.x, periods[0], S(periods[0] / 2));
+  relative.r.y = nearest(relative.r.y, periods[1], S(periods[1] / 2));
+  const S wait = law_.when(pair_time(relative.r, relative.v, reach));
+  const Time ticks = rules_.scale.ticks(wait);
+  return ticks == P::Clock::never() ? ticks : Time(later.start + ticks);
+}
+
+template <class P>
+auto Motion<P>::wall(const Disk& disk, const Vec<S>& at, Index wall) const -> Wall {
+  const std::size_t axis = (wall - kWalls) / 2;
+  const S& x = axis == 0 ? at.x : at.y;
+  const S& radius = kind(disk).radius;
+  if ((wall - kWalls) % 2 == 0) {
+    const S stop = room_.lowest(axis, radius);
+    return {x - stop, stop};
+  }
+  const S stop = room_.highest(axis, radius);
+  return {stop - x, stop};
+}
+
+template <class P>
+auto Motion<P>::wall_meets(const Disk& disk, Index wall) const -> Time {
+  const std::size_t axis = (wall - kWalls) / 2;
+  const int side = (wall - kWalls) % 2 == 0 ? 1 : -1;
+  const S gap = this->wall(disk, {disk.x, disk.y}, wall).gap;
+  const S& v = axis == 0 ? disk.vx : disk.vy;
+  const Time wait = rules_.scale.ticks(law_.wall_wait(axis, side, gap, S(side * v)));
+  return wait == P::Clock::never() ? wait : Time(disk.start + wait);
+}
+
+template <class P>
+Meeting<P> Motion<P>::wall_meeting(const Disk& disk, std::size_t axis) const {
+  const S& x = axis == 0 ? disk.x : disk.y;
+  const S& v = axis == 0 ? disk.vx : disk.vy;
+  const S& radius = kind(disk).radius;
+  const S below = x - room_.lowest(axis, radius);
+  const S above = room_.highest(axis, radius) - x;
+  const S low = law_.wall_wait(axis, 1, below, v);
+  const S high = law_.wall_wait(axis, -1, above, S(-v));
+  const Time wait = rules_.scale.ticks(std::min(low, high));
+  if (wait == P::Clock::never()) return {};
+  const auto side = static_cast<Index>(2 * axis) + (high < low ? 1U : 0U);
+  return {disk.start + wait, kWalls + side};
+}
+
+template <class P>
+Meeting<P> Motion<P>::alone(const Disk& disk) const {
+  using std::sqrt;
+  Meeting<P> first{disk.start + P::Clock::longest_flight(), kCarry};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (room_.solid(axis)) {
+      const Meeting<P> wall = wall_meeting(disk, axis);
+      if (wall.time < first.time) first = wall;
+    } else if (room_.periodic(axis)) {
+      const S speed = absolute(axis == 0 ? disk.vx : disk.vy);
+      const S a = law_.acceleration(axis);
+      const S longest = 2 * reach_[axis] / (speed + sqrt(S(speed * speed + 2 * a * reach_[axis])));
+      const Time wait = rules_.scale.ticks(longest);
+      if (wait != P::Clock::never() && disk.start + wait < first.time) {
+        first = {disk.start + wait, kCarry};
+      }
+    }
+  }
+  return first;
+}
+
+template <class P>
+void Motion<P>::carry(Disk& disk, At now) const {
+  const Vec<S> at = wrapped(place(disk, now));
+  const Vec<S> v = velocity(disk, now);
+  disk.x = at.x;
+  disk.y = at.y;
+  disk.vx = v.x;
+  disk.vy = v.y;
+  disk.start = now;
+}
+
+template <class P>
+void Motion<P>::bounce(Disk& disk, Index wall, At now) const {
+  const std::size_t axis = (wall - kWalls) / 2;
+  const bool upper = (wall - kWalls) % 2 == 1;
+  const S& radius = kind(disk).radius;
+  const S stop = upper ? room_.highest(axis, radius) : room_.lowest(axis, radius);
+  const int side = upper ? -1 : 1;
+  S& x = axis == 0 ? disk.x : disk.y;
+  S& v = axis == 0 ? disk.vx : disk.vy;
+  const S arrival = law_.wall_arrival(axis, side, S(side * (x - stop)), S(side * v),
+                                      rules_.scale.seconds(now - disk.start));
+  carry(disk, now);
+  x = stop;
+  v = side * wall_impact(arrival, S(rules_.wall_restitution));
+}
+
+template <class P>
+double Motion<P>::strike(Disk& a, Disk& b, At now) const {
+  const Kind& ka = kind(a);
+  const Kind& kb = kind(b);
+  if (!ka.fixed()) carry(a, now);
+  if (!kb.fixed()) carry(b, now);
+  const Vec<S> r = way({a.x, a.y}, {b.x, b.y});
+  const Velocities<S> after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy},
+                                          ka.inverse_mass, kb.inverse_mass, S(rules_.restitution));
+  a.vx = after.a.x;
+  a.vy = after.a.y;
+  b.vx = after.b.x;
+  b.vy = after.b.y;
+  const S reach = ka.radius + kb.radius;
+  const S square = r.x * r.x + r.y * r.y;
+  if (!(square < reach * reach)) return 0;
+  return static_cast<double>(S((reach - root(square)) / std::min(ka.radius, kb.radius)));
+}
+
+}  // namespace carom::event

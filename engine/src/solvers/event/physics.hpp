@@ -1,0 +1,33 @@
+#pragma once
+
+#include "contact/event_flight.hpp"
+#include "solvers/event/disk.hpp"
+#include "solvers/event/rules.hpp"
+#include "solvers/event/ticks.hpp"
+
+namespace carom::event {
+
+/// What a run of the method is compiled for: the number it computes with and the law its balls fly
+/// by.  Chosen once for a scene; nothing is asked ball by ball.
+template <class S, template <class> class FlightLaw>
+struct Physics {
+  using Scalar = S;
+  using Law = FlightLaw<S>;
+  using Clock = event::Clock<S>;
+  using Time = typename Clock::Time;
+  using At = typename Clock::At;
+  using Disk = BasicDisk<S>;
+
+  static Law law(const BasicRules<S>& rules) { return law_of(rules, static_cast<Law*>(nullptr)); }
+
+ private:
+  static Law law_of(const BasicRules<S>&, StraightLaw<S>*) { return {}; }
+  static Law law_of(const BasicRules<S>& rules, BallisticLaw<S>*) {
+    return {{S(rules.gravity[0]), S(rules.gravity[1])}};
+  }
+};
+
+using Free = Physics<double, StraightLaw>;
+using Falling = Physics<double, BallisticLaw>;
+
+}  // namespace carom::event

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "solvers/event/tile.hpp"
+
+namespace carom::event {
+
+// Entries that a bucket of the agenda should hold: enough to fetch what they need ahead of time.
+inline constexpr double kPerBucket = 24;
+
+template <class P>
+Tile<P>::Tile(BasicRules<S> rules) : motion_(std::move(rules)) {}
+
+template <class P>
+void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left) {
+  const auto n = static_cast<Index>(disks.size());
+  disks_.assign(disks.begin(), disks.end());
+  bool pegs = false;
+  for (Disk& disk : disks_) {
+    disk.meets = P::Clock::never();
+    disk.leaves = P::Clock::never();
+    disk.partner = kUnknown;
+    if (motion_.fixed(disk)) {
+      disk.start = P::Clock::ever();
+      pegs = true;
+    }
+  }
+  left_.clear();
+  if (pegs && P::Law::kBends) {
+    left_ = left;
+    left_.resize(n, kUnknown);
+  }
+  ties_.clear();
+  instant_ = now;
+  at_once_ = 0;
+  start_agenda(now);
+  if (motion_.rules().collisions) {
+    neighbours_.reset(disks_, now);
+    for (Index i = 0; i < n; ++i) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
+  }
+  for (Index i = 0; i < n; ++i) scan(i, now);
+  for (Index i = 0; i < n; ++i) announce(i);
+}
+
+// A guess of how fast entries are due: it decides how long a bucket is, and no result.
+template <class P>
+void Tile<P>::start_agenda(At now) {
+  const Domain& domain = motion_.rules().domain;
+  const double area = (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]);
+  double square = 0;
+  double diameter = 0;
+  double covered = 0;
+  for (const Disk& disk : disks_) {
+    const auto radius = static_cast<double>(motion_.kind(disk).radius);
+    square += static_cast<double>(S(disk.vx * disk.vx + disk.vy * disk.vy));
+    diameter += 2 * radius;
+    covered += 3.14159 * radius * radius;
+  }
+  const auto n = static_cast<double>(std::max<std::size_t>(disks_.size(), 1));
+  const double gravity = std::hypot(motion_.rules().gravity[0], motion_.rules().gravity[1]);
+  const double speed = std::sqrt(square / n + gravity * std::sqrt(area));
+  const double packing = std::min(covered / area, 0.8);
+  const double crowd = (1 - packing / 2) / ((1 - packing) * (1 - packing));
+  const double across = n / area * (diameter / n) * crowd + 1 / std::sqrt(area);
+  const double rate = 4 * n * speed * across;
+  const Time width =
+      rate > 0 ? motion_.rules().scale.ticks(kPerBucket / rate) : P::Clock::longest_flight();
+  agenda_.reset(now, width, std::clamp<std::size_t>(disks_.size() / 16, 16, 4096));
+}
+
+template <class P>
+void Tile<P>::advance_to(At until) {
+  const auto wanted = [this](const Entry& entry) { return disks_[entry.ball].due() == entry.time; };
+  const auto prepare = [this](std::span<const Entry> entries, std::span<const Entry> after) {
+    fetch(entries, after);
+  };
+  while (const Entry* next = agenda_.first(until, wanted, prepare)) {
+    const Entry entry = *next;
+    agenda_.drop_first();
+    if (wanted(entry)) next_event(entry.ball, entry.time);
+  }
+}
+
+// Asks for the memory that the events of a bucket will look at, in the order in which one needs the
+// other, so that a hundred fetches run at once instead of one after the other.
+template <class P>
+void Tile<P>::fetch(std::span<const Entry> entries, std::span<const Entry> after) const {
+  constexpr std::size_t kInCache = 4000;
+  if (disks_.size() < kInCache || !motion_.rules().collisions) return;
+  for (const Entry& entry : after) {
+    __builtin_prefetch(&disks_[entry.ball]);
+    neighbours_.fetch(entry.ball);
+  }
+  const auto meets_ball = [](const Disk& disk, const Entry& entry) {
+    return disk.partner < kFirstMark && disk.meets == entry.time;
+  };
+  for (const Entry& entry : entries) {
+    const Disk& disk = disks_[entry.ball];
+    if (!meets_ball(disk, entry)) continue;
+    __builtin_prefetch(&disks_[disk.partner]);
+    neighbours_.fetch(disk.partner);
+  }
+  const auto fetch_listed = [this](Index i) {
+    const auto& node = neighbours_.lists().first(i);
+    for (std::uint32_t n = 0; n < node.count; ++n) __builtin_prefetch(&disks_[node.item[n]]);
+  };
+  for (const Entry& entry : entries) {
+    const Disk& disk = disks_[entry.ball];
+    fetch_listed(entry.ball);
+    if (meets_ball(disk, entry)) fetch_listed(disk.partner);
+    if (disk.leaves == entry.time) neighbours_.fetch_around(entry.ball);
+  }
+}
+
+template <class P>
+void Tile<P>::rebase(At by) {
+  for (Disk& disk : disks_) {
+    if (disk.start != P::Clock::ever()) disk.start -= by;
+    if (disk.meets != P::Clock::never()) disk.meets -= by;
+    if (disk.leaves != P::Clock::never()) disk.leaves -= by;
+  }
+  instant_ = instant_ >= by ? Time(instant_ - by) : Time(-1);
+  std::set<Time> ties;
+  for (auto at = ties_.lower_bound(by); at != ties_.end(); ++at) ties.insert(*at - by);
+  ties_ = std::move(ties);
+  agenda_.rebase(by);
+}
+
+template <class P>
+std::size_t Tile<P>::bytes() const {
+  return disks_.capacity() * sizeof(Disk) + neighbours_.bytes() + agenda_.bytes() +
+         left_.capacity() * sizeof(Index);
+}
+
+}  // namespace carom::event

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "solvers/event/tile.hpp"
+
+namespace carom::event {
+
+template <class P>
+void Tile<P>::watch(At now) {
+  if (now != instant_) {
+    instant_ = now;
+    at_once_ = 0;
+  }
+  if (++at_once_ > 1000 + 100 * disks_.size()) {
+    throw std::runtime_error("impacts follow each other without end at one instant");
+  }
+}
+
+// After a new flight has begun.
+template <class P>
+void Tile<P>::look_again(Index i, At now) {
+  if (motion_.fixed(disks_[i])) return;
+  if (motion_.rules().collisions) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
+  scan(i, now);
+  announce(i);
+}
+
+template <class P>
+void Tile<P>::meet_alone(Index i, Index partner, At now) {
+  if (partner >= kWalls) {
+    motion_.bounce(disks_[i], partner, now);
+    ++counts_.ball_wall;
+    if (!left_.empty()) left_[i] = kUnknown;
+    return;
+  }
+  counts_.max_overlap =
+      std::max(counts_.max_overlap, motion_.strike(disks_[i], disks_[partner], now));
+  ++counts_.ball_ball;
+  if (!left_.empty()) {
+    left_[i] = motion_.fixed(disks_[partner]) ? partner : kUnknown;
+    left_[partner] = kUnknown;
+  }
+}
+
+template <class P>
+void Tile<P>::meet(Index i, At now) {
+  const Index partner = disks_[i].partner;
+  forget(i);
+  if (partner == kUnknown) {
+    ++counts_.vain;
+    scan(i, now);
+    announce(i);
+    return;
+  }
+  if (partner == kCarry) {
+    if (!left_.empty()) left_[i] = kUnknown;
+    motion_.carry(disks_[i], now);
+    look_again(i, now);
+    return;
+  }
+  watch(now);
+  const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
+  if (ball) forget(partner);
+  if (tied(now)) {
+    meet_jointly(i, partner, now);
+    return;
+  }
+  const Disk before = disks_[i];
+  const Disk partner_before = ball ? disks_[partner] : Disk{};
+  const Counts counts = counts_;
+  const Index left = left_.empty() ? kUnknown : left_[i];
+  const Index partner_left = left_.empty() || !ball ? kUnknown : left_[partner];
+  meet_alone(i, partner, now);
+  if (ball) look_again(partner, now);
+  look_again(i, now);
+  if (disks_[i].meets != now && !(ball && disks_[partner].meets == now)) return;
+  // The blow is passed on at once: take it back, and resolve all that touches together.
+  counts_ = counts;
+  const auto take_back = [this](Index k, const Disk& flight) {
+    unlink(k);
+    const Ticks leaves = disks_[k].leaves;
+    disks_[k] = flight;
+    disks_[k].leaves = leaves;
+    forget(k);
+  };
+  take_back(i, before);
+  if (ball) take_back(partner, partner_before);
+  if (!left_.empty()) {
+    left_[i] = left;
+    if (ball) left_[partner] = partner_left;
+  }
+  meet_jointly(i, partner, now);
+}
+
+template <class P>
+void Tile<P>::next_event(Index i, At now) {
+  if (disks_[i].meets <= disks_[i].leaves) {
+    meet(i, now);
+    return;
+  }
+  ++counts_.renewals;
+  const std::vector<Index>& fresh = neighbours_.renew(disks_, i, now);
+  Meeting<P> best{disks_[i].meets, kUnknown};
+  look_at(i, fresh.data(), static_cast<std::uint32_t>(fresh.size()), now, best);
+  disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
+  link(i, best);
+  announce(i);
+}
+
+}  // namespace carom::event
