@@ -26,34 +26,37 @@ std::string joined(const std::vector<std::string>& words) {
 struct EffectLists {
   std::vector<std::string> simulated;
   std::vector<std::string> not_simulated;
-
-  void put(bool named, const char* name, const std::string& values) {
-    if (named) {
-      simulated.push_back(fmt::format("{} ({})", name, values));
-    } else {
-      not_simulated.emplace_back(name);
-    }
-  }
 };
 
+std::string values(const Walls& walls) {
+  return fmt::format("restitution {:g}{}", walls.restitution, walls.on ? "" : ", switched off");
+}
+std::string values(const Collisions& collisions) {
+  return fmt::format("restitution {:g}{}", collisions.restitution,
+                     collisions.on ? "" : ", switched off");
+}
+std::string values(const Gravity& gravity) {
+  return fmt::format("{:g}, {:g}", gravity.acceleration.x(), gravity.acceleration.y());
+}
+std::string values(const Drag& drag) {
+  return fmt::format("rate {:g}", drag.rate);
+}
+std::string values(const Friction& friction) {
+  return fmt::format("balls {:g}, walls {:g}", friction.balls, friction.walls);
+}
+std::string values(const Attraction& attraction) {
+  return fmt::format("strength {:g}, softening {:g}", attraction.strength, attraction.softening);
+}
+
 EffectLists list_effects(const Effects& effects) {
-  const Walls walls = effects.walls.value_or(Walls{});
-  const Collisions collisions = effects.collisions.value_or(Collisions{});
-  const Vec2 g = effects.gravity.value_or(Gravity{}).acceleration;
-  const Friction friction = effects.friction.value_or(Friction{});
-  const Attraction attraction = effects.attraction.value_or(Attraction{});
   EffectLists lists;
-  lists.put(effects.walls.has_value(), "walls", fmt::format("restitution {:g}", walls.restitution));
-  lists.put(effects.collisions.has_value(), "collisions",
-            fmt::format("restitution {:g}", collisions.restitution));
-  lists.put(effects.gravity.has_value(), "gravity", fmt::format("{:g}, {:g}", g.x(), g.y()));
-  lists.put(effects.drag.has_value(), "drag",
-            fmt::format("rate {:g}", effects.drag.value_or(Drag{}).rate));
-  lists.put(effects.friction.has_value(), "friction",
-            fmt::format("balls {:g}, walls {:g}", friction.balls, friction.walls));
-  lists.put(
-      effects.attraction.has_value(), "attraction",
-      fmt::format("strength {:g}, softening {:g}", attraction.strength, attraction.softening));
+  for_each_effect([&](const auto& entry) {
+    if (const auto& effect = effects.*entry.slot) {
+      lists.simulated.push_back(fmt::format("{} ({})", entry.name, values(*effect)));
+    } else {
+      lists.not_simulated.emplace_back(entry.name);
+    }
+  });
   return lists;
 }
 

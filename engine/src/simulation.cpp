@@ -16,6 +16,11 @@
 namespace carom {
 namespace {
 
+template <class Effect>
+bool switches_off(const std::optional<Effect>& effect) {
+  return effect && !effect->on;
+}
+
 std::unique_ptr<Solver> make_solver(const Scene& scene, const std::vector<Ball>& balls) {
   const Method method = choose_method(scene).method;
   std::vector<Problem> problems = scene::find_unavailable(scene, method);
@@ -71,20 +76,18 @@ class Simulation::Implementation {
     fit_crew();
   }
   void obey(const command::SetEffects& set) {
-    const auto named = [](bool wanted, bool there, const char* name) {
-      if (wanted && !there) {
-        throw CommandError(
-            fmt::format("{} cannot be set: the scene does not name it among its effects", name));
-      }
-    };
-    const Effects& there = scene_.effects;
-    named(set.effects.walls.has_value(), there.walls.has_value(), "walls");
-    named(set.effects.collisions.has_value(), there.collisions.has_value(), "collisions");
-    named(set.effects.gravity.has_value(), there.gravity.has_value(), "gravity");
-    named(set.effects.drag.has_value(), there.drag.has_value(), "drag");
-    named(set.effects.friction.has_value(), there.friction.has_value(), "friction");
-    named(set.effects.attraction.has_value(), there.attraction.has_value(), "attraction");
+    for_each_effect([&](const auto& entry) {
+      if (!(set.effects.*entry.slot) || scene_.effects.*entry.slot) return;
+      throw CommandError(fmt::format(
+          "{} cannot be set: the scene does not name it among its effects", entry.name));
+    });
+    check_inside(set.effects);
+    if (method_ == Method::event &&
+        (switches_off(set.effects.walls) || switches_off(set.effects.collisions))) {
+      throw CommandError("method event cannot switch off walls or collisions");
+    }
     solver_->set(set.effects);
+    assign(scene_.effects, set.effects);
   }
   void obey(const command::SetStep& set) {
     if (!(set.step > 0) || !std::isfinite(set.step)) {
@@ -145,12 +148,27 @@ class Simulation::Implementation {
     solver_->set_workers(crew_.workers());
   }
 
+  /// Walls cannot come back around balls that have left.
+  void check_inside(const Effects& change) const {
+    if (!has_walls(change) || has_walls(scene_.effects)) return;
+    const Domain domain(scene_.box, true);
+    const std::vector<Ball> balls = solver_->state();
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double x = balls[i].position[static_cast<Eigen::Index>(axis)];
+        if (!domain.solid(axis) || (x >= domain.lower[axis] && x <= domain.upper[axis])) continue;
+        throw CommandError(fmt::format("walls stay off: ball {} is out of the box", i));
+      }
+    }
+  }
+
   void check_room(const Ball& ball) const {
     if (!(ball.radius > 0) || !(ball.mass > 0) || !std::isfinite(ball.radius) ||
-        !std::isfinite(ball.mass) || !ball.position.allFinite() || !ball.velocity.allFinite()) {
+        !std::isfinite(ball.mass) || !ball.position.allFinite() || !ball.velocity.allFinite() ||
+        !std::isfinite(ball.spin)) {
       throw CommandError("a ball needs a position, a velocity, a radius and a mass above 0");
     }
-    const Domain domain(scene_.box, scene_.effects.walls.has_value());
+    const Domain domain(scene_.box, has_walls(scene_.effects));
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const double x = ball.position[static_cast<Eigen::Index>(axis)];
       const bool outside =
@@ -160,7 +178,7 @@ class Simulation::Implementation {
                                        ball.position.x(), ball.position.y()));
       }
     }
-    if (!scene_.effects.collisions) return;
+    if (!has_collisions(scene_.effects)) return;
     const std::vector<Ball> balls = solver_->state();
     for (std::size_t i = 0; i < balls.size(); ++i) {
       Vec2 r = balls[i].position - ball.position;
@@ -219,7 +237,7 @@ Frame Simulation::frame() const {
   Frame frame;
   frame.time = time();
   frame.box = implementation_->scene().box;
-  frame.walls = implementation_->scene().effects.walls.has_value();
+  frame.walls = has_walls(implementation_->scene().effects);
   const std::vector<Ball> balls = state();
   frame.balls.reserve(balls.size());
   for (const Ball& ball : balls) {

@@ -65,6 +65,7 @@ Footprint footprint(const Scene& scene, const std::vector<Ball>& balls) {
                     {"radius", n * kNumber},       {"mass", n * kNumber},
                     {"inverse_mass", n * kNumber}, {"glyph", n}};
   if (scene.effects.friction) result.columns.emplace_back("spin", n * kNumber);
+  if (scene.effects.attraction) result.columns.emplace_back("pull", 2 * n * kNumber);
   result.barriers = {"do_frame", scene.effects.walls ? "wall_computation" : "flight"};
   const OverlapPlan plan(scene.effects, n, result.workers);
   if (plan.pairs) {
@@ -79,6 +80,7 @@ Footprint footprint(const Scene& scene, const std::vector<Ball>& balls) {
     result.barriers.emplace_back("pair_computation");
     if (plan.shared_resolution) result.barriers.emplace_back("pair_resolution");
   }
+  if (plan.attraction) result.barriers.emplace_back("attraction");
   result.barriers.emplace_back("frame_done");
   return result;
 }

@@ -25,8 +25,9 @@ Outcome fly(double position, double velocity, double acceleration, double step,
   box.width = 10;
   const Domain domain(box, true);
   Flight flight;
-  start(flight, balls, 0, 0, 1, step);
-  if (acceleration != 0) effects::gravity(flight, acceleration);
+  prepare(flight, balls, 0, 0, 1, step, effects::fall(acceleration, step));
+  straight(flight);
+  if (acceleration != 0) effects::gravity(flight);
   land(flight);
   const effects::WallRule rule{restitution, acceleration,
                                effects::rest_speed(acceleration, step, restitution)};

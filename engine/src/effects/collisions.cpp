@@ -18,13 +18,13 @@ constexpr int kSeparationPasses = 8;
 // Runs `act` over the contacts, forwards and backwards in turn, until it finds nothing to do; says
 // whether it came to that.
 template <class Act>
-bool sweep(const ContactGroup& group, int passes, Act act) {
+bool sweep(ContactGroup& group, int passes, Act act) {
   for (int pass = 0; pass < passes; ++pass) {
     bool any = false;
     if (pass % 2 == 0) {
-      for (const Contact& contact : group.contacts) any |= act(contact);
+      for (Contact& contact : group.contacts) any |= act(contact);
     } else {
-      for (const Contact& contact : std::views::reverse(group.contacts)) any |= act(contact);
+      for (Contact& contact : std::views::reverse(group.contacts)) any |= act(contact);
     }
     if (!any) return true;
   }
@@ -64,9 +64,9 @@ void GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactCou
   const bool falls = acceleration.x() != 0 || acceleration.y() != 0;
   const bool rests = falls && rule_.restitution < 1 && group.bound;
   const double energy = falls ? group.kinetic_energy() : 0;
-  const bool calm =
-      sweep(group, rests ? kPileImpactPasses : kImpactPasses,
-            [&](const Contact& contact) { return group.collide(contact, domain_, rule_, count); });
+  const bool calm = sweep(group, rests ? kPileImpactPasses : kImpactPasses, [&](Contact& contact) {
+    return group.collide(contact, domain_, rule_, count);
+  });
   if (rests && !calm) stop_on_ground(group, domain_, rule_, count);
   sweep(group, kSeparationPasses, [&](const Contact& contact) {
     const double a = group.members[contact.a].inverse_mass / contact.inverse_masses;

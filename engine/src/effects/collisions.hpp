@@ -22,12 +22,17 @@ struct CollisionRule {
   double stretch = 1;
   double rest_speed = 0;  ///< slower approaches come to rest: see effects/walls.hpp
   std::array<double, 2> wall_rest_speed{0, 0};  ///< the same at the walls across each axis
+  double friction = 0;                          ///< coefficient between balls
+  double wall_friction = 0;                     ///< and at walls
+  double step = 0;
 };
 
 /// How often balls met.
 struct ImpactCount {
   std::uint64_t ball_ball = 0;
   std::uint64_t ball_wall = 0;
+  bool timed = false;  ///< what friction takes is measured
+  double friction_seconds = 0;
 };
 
 /// Gives the balls of one group of touching pairs their new velocities and moves them apart.

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/friction.hpp"
+#include "effects/walls.hpp"
+#include "state/stopwatch.hpp"
+
 namespace carom::effects {
 namespace {
 
@@ -33,6 +37,8 @@ bool held(const Member& member, const Domain& domain) {
 void ContactGroup::load(const Balls& balls, std::span<const Pair> pairs, const Domain& domain) {
   members.clear();
   contacts.clear();
+  spins = balls.spin.size() > 0;
+  pulled = balls.pull[0].size() > 0;
   for (const Pair& pair : pairs) {
     for (const std::uint32_t ball : {pair.first, pair.second}) {
       const Eigen::Index k = Balls::index(ball);
@@ -43,6 +49,8 @@ void ContactGroup::load(const Balls& balls, std::span<const Pair> pairs, const D
       member.radius = balls.radius[k];
       member.mass = balls.mass[k];
       member.inverse_mass = balls.inverse_mass[k];
+      if (spins) member.spin = balls.spin[k];
+      if (pulled) member.pull = {balls.pull[0][k], balls.pull[1][k]};
       members.push_back(member);
     }
   }
@@ -82,6 +90,7 @@ void ContactGroup::store(Balls& balls, const Domain& domain) const {
       balls.position[axis][k] = domain.period[axis] > 0 ? domain.wrapped(axis, x) : x;
       balls.velocity[axis][k] = member.velocity[Balls::index(axis)];
     }
+    if (spins) balls.spin[k] = member.spin;
   }
 }
 
@@ -95,6 +104,11 @@ Vec2 ContactGroup::apart(const Contact& contact, const Domain& domain) const {
 double ContactGroup::kinetic_energy() const {
   double sum = 0;
   for (const Member& member : members) sum += member.mass * member.velocity.squaredNorm() / 2;
+  if (!spins) return sum;
+  for (const Member& member : members) {
+    const double speed = member.radius * member.spin;
+    sum += member.mass * speed * speed / 4;
+  }
   return sum;
 }
 
@@ -115,23 +129,59 @@ void ContactGroup::keep_inside(Member& member, const Domain& domain) {
   member.position = place;
 }
 
-bool ContactGroup::collide(const Contact& contact, const Domain& domain, const CollisionRule& rule,
+bool ContactGroup::collide(Contact& contact, const Domain& domain, const CollisionRule& rule,
                            ImpactCount& count) {
   if (!contact.touching) return false;
-  Member& a = members[contact.a];
-  Member& b = members[contact.b];
+  if (pulled) return collide_under_pull(contact, domain, rule, count);
+  const Member& a = members[contact.a];
+  const Member& b = members[contact.b];
   const LineOfCentres& line = contact.line;
   const double closing = (b.velocity - a.velocity).dot(line.r);
   if (!approaches(closing, line.length, a.velocity, b.velocity)) return false;
   const bool bounces = -closing > rule.rest_speed * line.length;
-  const double j =
-      impulse(closing, line.square, contact.inverse_masses, bounces ? rule.restitution : 0);
+  exchange(contact,
+           impulse(closing, line.square, contact.inverse_masses, bounces ? rule.restitution : 0),
+           bounces, domain, rule, count);
+  return true;
+}
+
+bool ContactGroup::collide_under_pull(Contact& contact, const Domain& domain,
+                                      const CollisionRule& rule, ImpactCount& count) {
+  const Member& a = members[contact.a];
+  const Member& b = members[contact.b];
+  const LineOfCentres& line = contact.line;
+  // Towards each other; half a step of the pull is still to come.
+  const double pull = -(b.pull - a.pull).dot(line.r) / line.length;
+  const double half = pull * rule.step / 2;
+  const double approach = -(b.velocity - a.velocity).dot(line.r) / line.length;
+  const double speed = approach + half;
+  if (!approaches(-speed, 1, a.velocity, b.velocity)) return false;
+  // They met when they touched, with less than the pull has made of it since.
+  const double depth = contact.met ? 0 : contact.reach - line.distance;
+  const double arrival = std::sqrt(std::max(0.0, speed * speed - 2 * pull * depth));
+  contact.met = true;
+  const bool bounces = arrival > rule.rest_speed + rest_speed(pull, rule.step, rule.restitution);
+  const double leaving = bounces ? rule.restitution * arrival : 0;
+  const double change = approach + leaving + half;
+  if (!(change > 0)) return false;
+  exchange(contact, change / (line.length * contact.inverse_masses), bounces, domain, rule, count);
+  return true;
+}
+
+void ContactGroup::exchange(const Contact& contact, double j, bool bounces, const Domain& domain,
+                            const CollisionRule& rule, ImpactCount& count) {
+  Member& a = members[contact.a];
+  Member& b = members[contact.b];
+  const LineOfCentres& line = contact.line;
   a.velocity -= j * a.inverse_mass * line.r;
   b.velocity += j * b.inverse_mass * line.r;
+  if (rule.friction > 0) {
+    const Stopwatch stopwatch(count.timed, count.friction_seconds);
+    rub(a, b, line, j * line.length, rule.friction);
+  }
   if (bounces) ++count.ball_ball;
   rebound(a, domain, rule, count);
   rebound(b, domain, rule, count);
-  return true;
 }
 
 bool ContactGroup::separate(const Contact& contact, const Domain& domain, double share_a,
@@ -163,7 +213,12 @@ void ContactGroup::rebound(Member& member, const Domain& domain, const Collision
     const double outwards = v < 0 ? -1 : 1;
     if (!at_side(member, domain, axis, outwards)) continue;
     const bool bounces = std::abs(v) > rule.wall_rest_speed[axis];
+    const double normal = v * (bounces ? 1 + rule.wall_restitution : 1);
     v *= bounces ? -rule.wall_restitution : -0.0;
+    if (rule.wall_friction > 0) {
+      const Stopwatch stopwatch(count.timed, count.friction_seconds);
+      rub_wall(member, axis, normal, rule.wall_friction);
+    }
     if (bounces) ++count.ball_wall;
   }
 }

@@ -20,6 +20,8 @@ struct Member {
   double radius = 0;
   double mass = 0;
   double inverse_mass = 0;
+  double spin = 0;         ///< with friction
+  Vec2 pull{0, 0};         ///< by attraction: half a step of it is in the velocity, half is to come
   bool supported = false;  ///< stands on a wall, a fixed ball or a supported ball
 };
 
@@ -31,6 +33,7 @@ struct Contact {
   double inverse_masses = 0;
   double reach = 0;
   bool touching = false;  ///< the balls overlapped before the group was resolved
+  bool met = false;       ///< they have had an impact since
 };
 
 /// Balls that touch, worked on together: a copy that is loaded, changed and stored back.
@@ -43,18 +46,20 @@ class ContactGroup {
   /// A fixed ball takes part, or a wall has since loading: momentum need not be kept, and moving
   /// balls apart can lift the centre of mass.
   bool bound = false;
+  bool spins = false;   ///< there is friction
+  bool pulled = false;  ///< there is attraction
 
   void load(const Balls& balls, std::span<const Pair> pairs, const Domain& domain);
   void store(Balls& balls, const Domain& domain) const;
 
   /// From a to b as they are now.
   [[nodiscard]] Vec2 apart(const Contact& contact, const Domain& domain) const;
-  [[nodiscard]] double kinetic_energy() const;
+  [[nodiscard]] double kinetic_energy() const;  ///< that of the spins, if there are any, too
   /// The work that the moves since loading have done against a uniform acceleration.
   [[nodiscard]] double lifting_work(const Vec2& acceleration) const;
 
   /// An impact along the contact, if its balls approach; says whether there was one.
-  bool collide(const Contact& contact, const Domain& domain, const CollisionRule& rule,
+  bool collide(Contact& contact, const Domain& domain, const CollisionRule& rule,
                ImpactCount& count);
   /// Moves the two balls of a contact apart, in the given shares of their overlap; says whether
   /// there was one.
@@ -64,6 +69,11 @@ class ContactGroup {
                       ImpactCount& count);
 
  private:
+  bool collide_under_pull(Contact& contact, const Domain& domain, const CollisionRule& rule,
+                          ImpactCount& count);
+  /// The impact itself: `j` r is the impulse.
+  void exchange(const Contact& contact, double j, bool bounces, const Domain& domain,
+                const CollisionRule& rule, ImpactCount& count);
   void keep_inside(Member& member, const Domain& domain);
 };
 

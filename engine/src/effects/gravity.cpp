@@ -2,9 +2,14 @@
 
 namespace carom::effects {
 
-void gravity(Flight& flight, double acceleration) {
-  const double gain = acceleration * flight.step;
-  const double fall = gain * flight.step / 2;
+Glide fall(double acceleration, double step) {
+  const double gain = acceleration * step;
+  return {step, 1, gain * step / 2, gain};
+}
+
+void gravity(Flight& flight) {
+  const double gain = flight.glide.gain;
+  const double fall = flight.glide.fall;
   for (std::size_t k = 0; k < flight.count; ++k) {
     const bool moves = flight.inverse_mass[k] > 0;
     flight.moved[k] += moves ? fall : 0;

@@ -4,7 +4,10 @@
 
 namespace carom::effects {
 
-/// Bends the flight into the exact parabola of a uniform acceleration; fixed balls stay.
-void gravity(Flight& flight, double acceleration);
+/// What gravity adds in a step, without drag: the exact parabola of a uniform acceleration.
+Glide fall(double acceleration, double step);
+
+/// Bends the flight by the fall of its glide; fixed balls stay.
+void gravity(Flight& flight);
 
 }  // namespace carom::effects

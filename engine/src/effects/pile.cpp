@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "effects/friction.hpp"
+
 namespace carom::effects {
 namespace {
 
@@ -22,16 +24,16 @@ bool stands_on_wall(const Member& member, const Domain& domain, const Vec2& acce
 
 // One contact as seen along gravity.
 struct Standing {
-  const Contact* contact;
+  Contact* contact;
   double height;  // of the two centres together: what carries comes before what is carried
   std::uint32_t lower;
   std::uint32_t upper;
   Vec2 up;  // the line of centres, from the lower to the upper ball
 };
 
-std::vector<Standing> from_the_ground_up(const ContactGroup& group, const Vec2& acceleration) {
+std::vector<Standing> from_the_ground_up(ContactGroup& group, const Vec2& acceleration) {
   std::vector<Standing> standings;
-  for (const Contact& contact : group.contacts) {
+  for (Contact& contact : group.contacts) {
     if (!contact.touching) continue;
     const double height =
         -acceleration.dot(group.members[contact.a].position + group.members[contact.b].position);
@@ -64,7 +66,7 @@ void stop_on_ground(ContactGroup& group, const Domain& domain, const CollisionRu
   for (int pass = 0; pass < kPasses; ++pass) {
     bool any = false;
     for (const Standing& standing : standings) {
-      const Member& lower = group.members[standing.lower];
+      Member& lower = group.members[standing.lower];
       Member& upper = group.members[standing.upper];
       const double square = standing.contact->line.square;
       const double closing = (upper.velocity - lower.velocity).dot(standing.up);
@@ -74,6 +76,13 @@ void stop_on_ground(ContactGroup& group, const Domain& domain, const CollisionRu
       const bool sinking = (upper.velocity + lower.velocity).dot(standing.up) <= 0;
       if (lower.supported && upper.inverse_mass > 0 && sinking) {
         upper.velocity -= closing / square * standing.up;
+        if (rule.friction > 0) {
+          // Between the two as they are: what the ground carries is the normal impulse alone.
+          const LineOfCentres& line = standing.contact->line;
+          const double normal = -closing / line.length * upper.mass;
+          rub(lower, upper, {standing.up, square, line.length, line.distance}, normal,
+              rule.friction);
+        }
         ContactGroup::rebound(upper, domain, soft, count);
       } else {
         group.collide(*standing.contact, domain, soft, count);

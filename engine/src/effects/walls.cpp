@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/drag.hpp"
+
 namespace carom::effects {
 namespace {
 
 // The speed with which a ball that started at distance `distance` before the wall arrives there;
 // `pull` is the acceleration towards the wall.
-double arrival_speed(double velocity, double pull, double distance) {
+double arrival_speed(const WallRule& rule, double velocity, double pull, double distance) {
+  if (rule.drag_rate > 0) return arrival_under_drag(rule.drag_rate, velocity, pull, distance);
   if (pull == 0) return std::abs(velocity);
   const double square = velocity * velocity + 2 * pull * distance;
   return std::isfinite(square) ? std::sqrt(std::max(square, 0.0)) : std::abs(velocity);
@@ -20,14 +23,24 @@ double rest_speed(double acceleration, double step, double restitution) {
   return restitution < 1 ? 2 * std::abs(acceleration) * step : 0;
 }
 
-std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule) {
+std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule, double* struck) {
   std::uint64_t impacts = 0;
   const auto reflect = [&](std::size_t k, double wall, double outwards) {
-    const double arrival = arrival_speed(flight.velocity[k], outwards * rule.acceleration,
-                                         outwards * (wall - flight.position[k]));
-    const bool bounces = arrival > rule.rest_speed;
+    // Of a pull, half a step's worth is in the velocity already and half is still to come.
+    const double pull = flight.pull == nullptr ? 0 : outwards * flight.pull[k];
+    const double half = pull * flight.step / 2;
+    const double arrival =
+        arrival_speed(rule, outwards * flight.velocity[k] - half,
+                      outwards * rule.acceleration + pull, outwards * (wall - flight.position[k]));
+    const bool bounces =
+        arrival > rule.rest_speed + rest_speed(pull, flight.step, rule.restitution);
+    const double leaving = bounces ? rule.restitution * arrival : 0;
+    if (struck != nullptr) {
+      const double stopped = std::max(0.0, outwards * flight.after[k] + half);
+      struck[k] = outwards * (bounces ? arrival + leaving : stopped);
+    }
     flight.moved[k] = wall;
-    flight.after[k] = -outwards * (bounces ? rule.restitution * arrival : 0);
+    flight.after[k] = -outwards * (leaving + half);
     if (bounces) ++impacts;
   };
   // Few balls are out: whether any of some is costs no branch for each.

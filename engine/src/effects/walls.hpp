@@ -12,6 +12,7 @@ struct WallRule {
   double restitution = 1;
   double acceleration = 0;  ///< along the axis
   double rest_speed = 0;    ///< a slower ball does not bounce: it comes to rest on the wall
+  double drag_rate = 0;
 };
 
 /// Speeds up to this one come to rest where they meet an obstacle: what two steps of the
@@ -23,8 +24,10 @@ double rest_speed(double acceleration, double step, double restitution);
 ///
 /// A ball meets the wall with the speed that its energy gives it there, v0^2 + 2 a (wall - x0), not
 /// with the speed it has gained behind it: moving it back does no work.  Gives the number of
-/// impacts.
-std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule);
+/// impacts.  `struck`, if there is one, is told the impulse by mass of each ball that met a wall,
+/// towards the outside: of one that lies there, what it takes to stop it.
+std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule,
+                    double* struck = nullptr);
 
 /// Takes balls that have left a periodic axis to the other end; `turns`, if there is one, counts.
 void wrap(Flight& flight, const Domain& domain, std::int64_t* turns);

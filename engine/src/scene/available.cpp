@@ -30,7 +30,6 @@ bool short_periodic_axis(const Scene& scene) {
 
 constexpr bool kOverlap[] = {true, false};
 constexpr bool kEvent[] = {false, true};
-constexpr bool kBoth[] = {true, true};
 
 struct Unavailable {
   const char* place;
@@ -39,16 +38,23 @@ struct Unavailable {
   const char* message;
 };
 
-constexpr auto kNotYet = "is not available in this version";
+constexpr auto kNotForEvent =
+    "is not available with method \"event\" in this version, use \"overlap\"";
 
 /// The one list of what a scene can name and a method cannot do.
 constexpr std::array kUnavailable{
-    Unavailable{"/effects/drag", kBoth, [](const Scene& s) { return s.effects.drag.has_value(); },
-                kNotYet},
-    Unavailable{"/effects/friction", kBoth,
-                [](const Scene& s) { return s.effects.friction.has_value(); }, kNotYet},
-    Unavailable{"/effects/attraction", kBoth,
-                [](const Scene& s) { return s.effects.attraction.has_value(); }, kNotYet},
+    Unavailable{"/effects/walls/on", kEvent,
+                [](const Scene& s) { return s.effects.walls && !s.effects.walls->on; },
+                kNotForEvent},
+    Unavailable{"/effects/collisions/on", kEvent,
+                [](const Scene& s) { return s.effects.collisions && !s.effects.collisions->on; },
+                kNotForEvent},
+    Unavailable{"/effects/drag", kEvent, [](const Scene& s) { return s.effects.drag.has_value(); },
+                kNotForEvent},
+    Unavailable{"/effects/friction", kEvent,
+                [](const Scene& s) { return s.effects.friction.has_value(); }, kNotForEvent},
+    Unavailable{"/effects/attraction", kEvent,
+                [](const Scene& s) { return s.effects.attraction.has_value(); }, kNotForEvent},
     Unavailable{"/solver/method", kEvent, lossy,
                 "\"event\" cannot take a restitution below 1 in this version, use \"overlap\""},
     Unavailable{"/solver/method", kEvent, short_periodic_axis,

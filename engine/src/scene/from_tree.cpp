@@ -90,36 +90,38 @@ Box take_box(const Value& root) {
   return box;
 }
 
-/// The object of an effect; makes the effect if it is named there.
-template <class Effect>
-const Value* name(const Value& effects, std::string_view key, std::optional<Effect>& effect) {
-  const Value* value = effects.find(key);
-  if (value != nullptr && !effect) effect.emplace();
-  return value;
+void take(const Value& value, Walls& walls) {
+  take(value, "restitution", walls.restitution);
+  take(value, "on", walls.on);
+}
+void take(const Value& value, Collisions& collisions) {
+  take(value, "restitution", collisions.restitution);
+  take(value, "on", collisions.on);
+}
+void take(const Value& value, Gravity& gravity) {
+  gravity.acceleration = pair(value);
+}
+void take(const Value& value, Drag& drag) {
+  take(value, "rate", drag.rate);
+}
+void take(const Value& value, Friction& friction) {
+  take(value, "balls", friction.balls);
+  take(value, "walls", friction.walls);
+}
+void take(const Value& value, Attraction& attraction) {
+  take(value, "strength", attraction.strength);
+  take(value, "softening", attraction.softening);
 }
 
 /// What the object names, on top of what `effects` holds already.
 void take_effects(const Value& object, Effects& effects) {
-  if (const Value* walls = name(object, "walls", effects.walls)) {
-    take(*walls, "restitution", effects.walls->restitution);
-  }
-  if (const Value* collisions = name(object, "collisions", effects.collisions)) {
-    take(*collisions, "restitution", effects.collisions->restitution);
-  }
-  if (const Value* gravity = name(object, "gravity", effects.gravity)) {
-    effects.gravity->acceleration = pair(*gravity);
-  }
-  if (const Value* drag = name(object, "drag", effects.drag)) {
-    take(*drag, "rate", effects.drag->rate);
-  }
-  if (const Value* friction = name(object, "friction", effects.friction)) {
-    take(*friction, "balls", effects.friction->balls);
-    take(*friction, "walls", effects.friction->walls);
-  }
-  if (const Value* attraction = name(object, "attraction", effects.attraction)) {
-    take(*attraction, "strength", effects.attraction->strength);
-    take(*attraction, "softening", effects.attraction->softening);
-  }
+  for_each_effect([&](const auto& entry) {
+    const Value* value = object.find(entry.name);
+    if (value == nullptr) return;
+    auto& effect = effects.*entry.slot;
+    if (!effect) effect.emplace();
+    take(*value, *effect);
+  });
 }
 
 Ball take_ball(const Value& object) {
@@ -201,12 +203,9 @@ void take_line(const Value& line, double at, Effects& effects, std::vector<Scrip
       Effects named;
       take_effects(*changed, effects);
       take_effects(*changed, named);
-      if (named.walls) named.walls = effects.walls;
-      if (named.collisions) named.collisions = effects.collisions;
-      if (named.gravity) named.gravity = effects.gravity;
-      if (named.drag) named.drag = effects.drag;
-      if (named.friction) named.friction = effects.friction;
-      if (named.attraction) named.attraction = effects.attraction;
+      for_each_effect([&](const auto& entry) {
+        if (named.*entry.slot) named.*entry.slot = effects.*entry.slot;
+      });
       script.push_back({at, command::SetEffects{named}});
     }
     const Value* solver = line.find("solver");

@@ -59,24 +59,37 @@ bool has_box(const Scene& scene) {
   return good(scene.box.width) && good(scene.box.height);
 }
 
+namespace {
+
+bool judge_effect(const Walls& walls, const std::string& place, Verdict& verdict) {
+  return verdict.fraction(place + "/restitution", walls.restitution);
+}
+bool judge_effect(const Collisions& collisions, const std::string& place, Verdict& verdict) {
+  return verdict.fraction(place + "/restitution", collisions.restitution);
+}
+bool judge_effect(const Gravity& gravity, const std::string& place, Verdict& verdict) {
+  return verdict.finite(place, gravity.acceleration);
+}
+bool judge_effect(const Drag& drag, const std::string& place, Verdict& verdict) {
+  return verdict.not_negative(place + "/rate", drag.rate);
+}
+bool judge_effect(const Friction& friction, const std::string& place, Verdict& verdict) {
+  const bool balls = verdict.not_negative(place + "/balls", friction.balls);
+  return verdict.not_negative(place + "/walls", friction.walls) && balls;
+}
+bool judge_effect(const Attraction& attraction, const std::string& place, Verdict& verdict) {
+  const bool strength = verdict.finite(place + "/strength", attraction.strength);
+  return verdict.not_negative(place + "/softening", attraction.softening) && strength;
+}
+
+}  // namespace
+
 bool judge_effects(const Effects& effects, const std::string& place, Verdict& verdict) {
   bool good = true;
-  if (effects.walls) {
-    good &= verdict.fraction(place + "/walls/restitution", effects.walls->restitution);
-  }
-  if (effects.collisions) {
-    good &= verdict.fraction(place + "/collisions/restitution", effects.collisions->restitution);
-  }
-  if (effects.gravity) good &= verdict.finite(place + "/gravity", effects.gravity->acceleration);
-  if (effects.drag) good &= verdict.not_negative(place + "/drag/rate", effects.drag->rate);
-  if (effects.friction) {
-    good &= verdict.not_negative(place + "/friction/balls", effects.friction->balls);
-    good &= verdict.not_negative(place + "/friction/walls", effects.friction->walls);
-  }
-  if (effects.attraction) {
-    good &= verdict.finite(place + "/attraction/strength", effects.attraction->strength);
-    good &= verdict.not_negative(place + "/attraction/softening", effects.attraction->softening);
-  }
+  for_each_effect([&](const auto& entry) {
+    const auto& effect = effects.*entry.slot;
+    if (effect) good &= judge_effect(*effect, fmt::format("{}/{}", place, entry.name), verdict);
+  });
   return good;
 }
 

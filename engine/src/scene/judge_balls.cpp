@@ -24,7 +24,7 @@ double with_allowance(double length, double largest) {
 bool judge_inside(const Ball& ball, const std::string& place, const Scene& scene,
                   Verdict& verdict) {
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
-    if (!scene.effects.walls || scene.box.periodic[static_cast<std::size_t>(axis)]) continue;
+    if (!has_walls(scene.effects) || scene.box.periodic[static_cast<std::size_t>(axis)]) continue;
     const double lower = scene.box.lower()[axis];
     const double upper = scene.box.upper()[axis];
     const double x = ball.position[axis];
@@ -146,7 +146,7 @@ void judge_fill(const Fill& fill, const std::string& place, const Scene& scene, 
                               lower[axis], upper[axis]));
       return;
     }
-    if ((periodic || scene.effects.walls) &&
+    if ((periodic || has_walls(scene.effects)) &&
         (lower[axis] < scene.box.lower()[axis] || upper[axis] > scene.box.upper()[axis])) {
       const int corner = lower[axis] < scene.box.lower()[axis] ? 0 : 1;
       verdict.add(fmt::format("{}/region/{}/{}", place, corner, axis),
@@ -214,7 +214,7 @@ void judge_balls(const Scene& scene, Verdict& verdict) {
     }
   }
   // A saved run may have been caught while its method was moving balls apart.
-  if (scene.effects.collisions && !scene.continuation) judge_overlaps(scene, good, verdict);
+  if (has_collisions(scene.effects) && !scene.continuation) judge_overlaps(scene, good, verdict);
 }
 
 }  // namespace carom::scene

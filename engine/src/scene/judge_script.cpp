@@ -57,12 +57,10 @@ class ScriptJudge {
     const Effects& named = set.effects;
     const std::string place = place_ + "/effects";
     const Effects& known = scene_.effects;
-    judge_named(place + "/walls", named.walls.has_value(), known.walls.has_value());
-    judge_named(place + "/collisions", named.collisions.has_value(), known.collisions.has_value());
-    judge_named(place + "/gravity", named.gravity.has_value(), known.gravity.has_value());
-    judge_named(place + "/drag", named.drag.has_value(), known.drag.has_value());
-    judge_named(place + "/friction", named.friction.has_value(), known.friction.has_value());
-    judge_named(place + "/attraction", named.attraction.has_value(), known.attraction.has_value());
+    for_each_effect([&](const auto& entry) {
+      judge_named(fmt::format("{}/{}", place, entry.name), (named.*entry.slot).has_value(),
+                  (known.*entry.slot).has_value());
+    });
     judge_effects(named, place, verdict_);
   }
 

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "carom/effects.hpp"
+
 namespace carom::scene {
 
 namespace {
@@ -21,10 +23,10 @@ constexpr std::array kBoxKeys{
 };
 constexpr Group kBox{"the box", kBoxKeys};
 
-constexpr std::array kWallsKeys{Key{"restitution", Type::number}};
+constexpr std::array kWallsKeys{Key{"restitution", Type::number}, Key{"on", Type::flag}};
 constexpr Group kWalls{"walls", kWallsKeys};
 
-constexpr std::array kCollisionsKeys{Key{"restitution", Type::number}};
+constexpr std::array kCollisionsKeys{Key{"restitution", Type::number}, Key{"on", Type::flag}};
 constexpr Group kCollisions{"collisions", kCollisionsKeys};
 
 constexpr std::array kDragKeys{Key{"rate", Type::number, true, nullptr, {}, "0.1"}};
@@ -37,15 +39,29 @@ constexpr std::array kAttractionKeys{Key{"strength", Type::number, true, nullptr
                                      Key{"softening", Type::number}};
 constexpr Group kAttraction{"attraction", kAttractionKeys};
 
-constexpr std::array kEffectsKeys{
-    Key{"walls", Type::object, false, &kWalls},
-    Key{"collisions", Type::object, false, &kCollisions},
-    Key{"gravity", Type::pair},
-    Key{"drag", Type::object, false, &kDrag},
-    Key{"friction", Type::object, false, &kFriction},
-    Key{"attraction", Type::object, false, &kAttraction},
-};
-constexpr Group kEffects{"effects", kEffectsKeys};
+template <class Effect>
+constexpr const Group* kGroupOf = nullptr;  // a pair of numbers
+template <>
+constexpr const Group* kGroupOf<Walls> = &kWalls;
+template <>
+constexpr const Group* kGroupOf<Collisions> = &kCollisions;
+template <>
+constexpr const Group* kGroupOf<Drag> = &kDrag;
+template <>
+constexpr const Group* kGroupOf<Friction> = &kFriction;
+template <>
+constexpr const Group* kGroupOf<Attraction> = &kAttraction;
+
+constexpr std::array kEffectsKeys = std::apply(
+    [](const auto&... entries) {
+      const auto key = []<class Effect>(const EffectEntry<Effect>& entry) {
+        const Group* group = kGroupOf<Effect>;
+        return Key{entry.name, group == nullptr ? Type::pair : Type::object, false, group};
+      };
+      return std::array{key(entries)...};
+    },
+    kEffects);
+constexpr Group kEffectsGroup{"effects", kEffectsKeys};
 
 constexpr std::array kBallKeys{
     Key{"position", Type::pair, true, nullptr, {}, "[3, 5]"},
@@ -87,7 +103,7 @@ constexpr std::array kAddKeys{
     kAt, kCommand,
     Key{"ball", Type::object, true, &kBall, {}, R"({"position": [1, 1], "radius": 0.5})"}};
 constexpr std::array kRemoveKeys{kAt, kCommand, Key{"ball", Type::whole}};
-constexpr std::array kSetKeys{kAt, kCommand, Key{"effects", Type::object, false, &kEffects},
+constexpr std::array kSetKeys{kAt, kCommand, Key{"effects", Type::object, false, &kEffectsGroup},
                               Key{"solver", Type::object, false, &kSetSolver}};
 constexpr Group kAdd{"the command \"add\"", kAddKeys};
 constexpr Group kRemove{"the command \"remove\"", kRemoveKeys};
@@ -107,7 +123,7 @@ constexpr std::array kSceneKeys{
     Key{"name", Type::line_of_text},
     Key{"about", Type::text},
     Key{"box", Type::object, true, &kBox, {}, R"({"width": 20, "height": 10})"},
-    Key{"effects", Type::object, false, &kEffects},
+    Key{"effects", Type::object, false, &kEffectsGroup},
     Key{"balls", Type::list, false, &kBall},
     Key{"fill", Type::list, false, &kFill},
     Key{"seed", Type::whole},

@@ -66,29 +66,39 @@ std::string ball(const Ball& ball) {
   return line.take();
 }
 
+std::string json(const Walls& walls) {
+  Line line;
+  line.put("restitution", number(walls.restitution));
+  if (!walls.on) line.put("on", "false");
+  return line.take();
+}
+std::string json(const Collisions& collisions) {
+  Line line;
+  line.put("restitution", number(collisions.restitution));
+  if (!collisions.on) line.put("on", "false");
+  return line.take();
+}
+std::string json(const Gravity& gravity) {
+  return pair(gravity.acceleration);
+}
+std::string json(const Drag& drag) {
+  return Line().put("rate", number(drag.rate)).take();
+}
+std::string json(const Friction& friction) {
+  return Line().put("balls", number(friction.balls)).put("walls", number(friction.walls)).take();
+}
+std::string json(const Attraction& attraction) {
+  return Line()
+      .put("strength", number(attraction.strength))
+      .put("softening", number(attraction.softening))
+      .take();
+}
+
 std::string effects(const Effects& effects) {
   Line line;
-  if (effects.walls) {
-    line.put("walls", Line().put("restitution", number(effects.walls->restitution)).take());
-  }
-  if (effects.collisions) {
-    line.put("collisions",
-             Line().put("restitution", number(effects.collisions->restitution)).take());
-  }
-  if (effects.gravity) line.put("gravity", pair(effects.gravity->acceleration));
-  if (effects.drag) line.put("drag", Line().put("rate", number(effects.drag->rate)).take());
-  if (effects.friction) {
-    line.put("friction", Line()
-                             .put("balls", number(effects.friction->balls))
-                             .put("walls", number(effects.friction->walls))
-                             .take());
-  }
-  if (effects.attraction) {
-    line.put("attraction", Line()
-                               .put("strength", number(effects.attraction->strength))
-                               .put("softening", number(effects.attraction->softening))
-                               .take());
-  }
+  for_each_effect([&](const auto& entry) {
+    if (const auto& effect = effects.*entry.slot) line.put(entry.name, json(*effect));
+  });
   return line.take();
 }
 

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/skin.hpp"
 #include "contact/touching.hpp"
+#include "effects/attraction.hpp"
+#include "effects/drag.hpp"
+#include "effects/friction.hpp"
 #include "effects/gravity.hpp"
 #include "effects/walls.hpp"
-#include "solvers/stopwatch.hpp"
+#include "state/stopwatch.hpp"
 
 namespace carom {
 namespace {
@@ -17,9 +21,10 @@ constexpr std::uint64_t kSampling = 31;  // one step in so many has its effects 
 }  // namespace
 
 OverlapSolver::OverlapSolver(const Scene& scene, const std::vector<Ball>& balls, Pairs pairs)
-    : domain_(scene.box, scene.effects.walls.has_value()),
+    : box_(scene.box),
+      domain_(scene.box, scene.effects.walls.has_value()),
       effects_(scene.effects),
-      balls_(balls),
+      balls_(balls, scene.effects),
       choice_(pairs),
       plan_(scene.effects, balls.size(), worker_count(scene, balls.size())),
       step_(scene.solver.step) {
@@ -39,20 +44,26 @@ std::vector<Phase> OverlapSolver::phases() {
   std::vector<Phase> phases;
   phases.push_back({effects_.walls ? "wall_computation" : "flight",
                     [this](Share share) { fly(share); }, [this] { return after_flight(); }});
-  if (!plan_.pairs) return phases;
   const auto next = [&phases] { return phases.size(); };
   if (plan_.shared_search) {
     search_ = next();
     phases.push_back(
         {"neighbour_search", [this](Share share) { search(share); }, [this] { return detect_; }});
   }
-  detect_ = next();
-  phases.push_back({"pair_computation", [this](Share share) { detect(share); },
-                    [this] { return after_detection(); }});
+  if (plan_.pairs) {
+    detect_ = next();
+    phases.push_back({"pair_computation", [this](Share share) { detect(share); },
+                      [this] { return after_detection(); }});
+  }
   if (plan_.shared_resolution) {
     resolve_ = next();
     phases.push_back({"pair_resolution", [this](Share share) { resolve(share); },
-                      [this] { return end_step(); }});
+                      [this] { return after_impacts(); }});
+  }
+  if (plan_.attraction) {
+    attract_ = next();
+    phases.push_back(
+        {"attraction", [this](Share share) { pull(share); }, [this] { return after_pull(); }});
   }
   return phases;
 }
@@ -65,9 +76,8 @@ void OverlapSolver::set_workers(std::size_t workers) {
     heir.impacts.ball_ball += desk.impacts.ball_ball;
     heir.impacts.ball_wall += desk.impacts.ball_wall;
     heir.deepest = std::max(heir.deepest, desk.deepest);
-    heir.gravity_seconds += desk.gravity_seconds;
-    heir.walls_seconds += desk.walls_seconds;
-    heir.collisions_seconds += desk.collisions_seconds;
+    heir.impacts.friction_seconds += desk.impacts.friction_seconds;
+    heir.seconds += desk.seconds;
   }
   desks_.resize(workers);
   forget_pairs();
@@ -79,8 +89,8 @@ std::size_t OverlapSolver::aim(double time) {
   const double due = (time - step_origin_ + std::abs(time) * kRounding) / step_;
   target_ = due > 0 ? static_cast<std::uint64_t>(due) : 0;
   if (target_ <= steps_) return Phase::kFrameDone;
-  if (effects_.collisions && !many() && all_pairs_.count == 0) all_pairs_ = all_pairs(balls_);
-  return kFly;
+  if (collides() && !many() && all_pairs_.count == 0) all_pairs_ = all_pairs(balls_);
+  return attract_ && !pull_known_ ? *attract_ : kFly;
 }
 
 // --- the phases -------------------------------------------------------------------------------
@@ -88,35 +98,57 @@ std::size_t OverlapSolver::aim(double time) {
 void OverlapSolver::fly(Share share) {
   Desk& desk = desks_[share.index];
   desk.moved_square = 0;
+  desk.impacts.timed = timed();
+  const std::size_t begin = share.begin(balls_.size());
   const std::size_t end = share.end(balls_.size());
-  for (std::size_t i = share.begin(balls_.size()); i < end; i += Flight::kBlock) {
-    fly(i, std::min(i + Flight::kBlock, end), desk);
+  if (attract_) {
+    const Stopwatch stopwatch(timed(), desk.seconds.of<Attraction>());
+    effects::kick(balls_, step_ / 2, begin, end);
+  }
+  for (std::size_t i = begin; i < end; i += Flight::kBlock) {
+    const std::size_t block_end = std::min(i + Flight::kBlock, end);
+    if (rule_.wall_friction > 0) {
+      effects::Struck struck;
+      fly(i, block_end, desk, &struck);
+      const Stopwatch stopwatch(timed(), desk.seconds.of<Friction>());
+      effects::rub_walls(balls_, i, block_end - i, struck, rule_.wall_friction);
+    } else {
+      fly(i, block_end, desk, nullptr);
+    }
+    if (listed_) note_moves(i, block_end, desk);
   }
 }
 
-void OverlapSolver::fly(std::size_t begin, std::size_t end, Desk& desk) {
-  const bool timed = taken_ % kSampling == 0;
+void OverlapSolver::fly(std::size_t begin, std::size_t end, Desk& desk, effects::Struck* struck) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const Eigen::Index k = Balls::index(axis);
-    const double acceleration = effects_.gravity ? effects_.gravity->acceleration[k] : 0;
+    const Glide& glide = glide_[axis];
     Flight flight;
-    start(flight, balls_, axis, begin, end, step_);
-    if (acceleration != 0) {
-      const Stopwatch stopwatch(timed, desk.gravity_seconds);
-      effects::gravity(flight, acceleration);
+    prepare(flight, balls_, axis, begin, end, step_, glide);
+    if (drag_rate_ > 0) {
+      const Stopwatch stopwatch(timed(), desk.seconds.of<Drag>());
+      effects::drag(flight);
+    } else {
+      straight(flight);
+    }
+    if (glide.gain != 0) {
+      const Stopwatch stopwatch(timed(), desk.seconds.of<Gravity>());
+      effects::gravity(flight);
     }
     land(flight);
     if (domain_.solid(axis)) {
-      const Stopwatch stopwatch(timed, desk.walls_seconds);
-      desk.impacts.ball_wall += effects::walls(
-          flight, domain_, {rule_.wall_restitution, acceleration, rule_.wall_rest_speed[axis]});
+      const Stopwatch stopwatch(timed(), desk.seconds.of<Walls>());
+      desk.impacts.ball_wall +=
+          effects::walls(flight, domain_, wall_rule_[axis],
+                         struck == nullptr ? nullptr : struck->normal[axis].data());
     } else if (domain_.period[axis] > 0) {
       effects::wrap(flight, domain_, turns_[axis].empty() ? nullptr : turns_[axis].data());
     }
     store(flight, balls_);
   }
-  if (!listed_) return;
-  const Stopwatch stopwatch(timed, desk.collisions_seconds);
+}
+
+void OverlapSolver::note_moves(std::size_t begin, std::size_t end, Desk& desk) const {
+  const Stopwatch stopwatch(timed(), desk.seconds.of<Collisions>());
   // In lanes and without branches: which way a ball has gone cannot be foreseen.
   constexpr std::size_t kLanes = 8;
   alignas(64) std::array<double, Flight::kBlock> square{};
@@ -142,9 +174,9 @@ void OverlapSolver::fly(std::size_t begin, std::size_t end, Desk& desk) {
 }
 
 std::size_t OverlapSolver::after_flight() {
-  if (!effects_.collisions) return end_step();
+  if (!collides()) return after_impacts();
   if (!many() || !list_is_stale()) return detect_;
-  const Stopwatch stopwatch(taken_ % kSampling == 0, desks_.front().collisions_seconds);
+  const Stopwatch stopwatch(timed(), desks_.front().seconds.of<Collisions>());
   build_grid();
   if (search_ && desks_.size() > 1 && balls_.size() >= OverlapPlan::kSharedSearch) return *search_;
   for (std::size_t w = 0; w < desks_.size(); ++w) search({w, desks_.size()});
@@ -160,7 +192,7 @@ void OverlapSolver::search(Share share) {
 
 void OverlapSolver::detect(Share share) {
   Desk& desk = desks_[share.index];
-  const Stopwatch stopwatch(taken_ % kSampling == 0, desk.collisions_seconds);
+  const Stopwatch stopwatch(timed(), desk.seconds.of<Collisions>());
   desk.touching.clear();
   const bool listed = many();
   const PairList& pairs = listed ? desk.neighbours : all_pairs_;
@@ -172,12 +204,12 @@ void OverlapSolver::detect(Share share) {
 }
 
 std::size_t OverlapSolver::after_detection() {
-  const Stopwatch stopwatch(taken_ % kSampling == 0, desks_.front().collisions_seconds);
+  const Stopwatch stopwatch(timed(), desks_.front().seconds.of<Collisions>());
   touching_.clear();
   for (const Desk& desk : desks_) {
     touching_.insert(touching_.end(), desk.touching.begin(), desk.touching.end());
   }
-  if (touching_.empty()) return end_step();
+  if (touching_.empty()) return after_impacts();
   // The order in which pairs were found depends on the list; the order they are resolved in must
   // not.
   if (!std::is_sorted(touching_.begin(), touching_.end())) {
@@ -190,15 +222,34 @@ std::size_t OverlapSolver::after_detection() {
   for (std::size_t g = 0; g < groups_.count(); ++g) {
     resolver_.resolve(balls_, groups_.group(g), desks_.front().impacts);
   }
-  return end_step();
+  return after_impacts();
 }
 
 void OverlapSolver::resolve(Share share) {
   Desk& desk = desks_[share.index];
-  const Stopwatch stopwatch(taken_ % kSampling == 0, desk.collisions_seconds);
+  const Stopwatch stopwatch(timed(), desk.seconds.of<Collisions>());
   for (std::size_t g = share.begin(groups_.count()); g < share.end(groups_.count()); ++g) {
     resolver_.resolve(balls_, groups_.group(g), desk.impacts);
   }
+}
+
+std::size_t OverlapSolver::after_impacts() {
+  if (!attract_) return end_step();
+  in_step_ = true;
+  return *attract_;
+}
+
+void OverlapSolver::pull(Share share) {
+  const Stopwatch stopwatch(timed(), desks_[share.index].seconds.of<Attraction>());
+  const std::size_t begin = share.begin(balls_.size());
+  const std::size_t end = share.end(balls_.size());
+  effects::attract(balls_, domain_, *effects_.attraction, begin, end);
+  if (in_step_) effects::kick(balls_, step_ / 2, begin, end);
+}
+
+std::size_t OverlapSolver::after_pull() {
+  pull_known_ = true;
+  return std::exchange(in_step_, false) ? end_step() : std::size_t{kFly};
 }
 
 std::size_t OverlapSolver::end_step() {
@@ -207,6 +258,10 @@ std::size_t OverlapSolver::end_step() {
 }
 
 // --- pairs ------------------------------------------------------------------------------------
+
+bool OverlapSolver::timed() const {
+  return taken_ % kSampling == 0;
+}
 
 bool OverlapSolver::many() const {
   return choice_ == Pairs::neighbours ||
@@ -242,7 +297,8 @@ void OverlapSolver::forget_pairs() {
 void OverlapSolver::add(const Ball& ball) {
   std::vector<Ball> balls = balls_.to_vector();
   balls.push_back(ball);
-  balls_ = Balls(balls);
+  balls_ = Balls(balls, effects_);
+  pull_known_ = false;
   for (auto& turns : turns_) {
     if (!turns.empty()) turns.push_back(0);
   }
@@ -252,7 +308,8 @@ void OverlapSolver::add(const Ball& ball) {
 void OverlapSolver::remove(std::size_t ball) {
   std::vector<Ball> balls = balls_.to_vector();
   balls.erase(balls.begin() + static_cast<std::ptrdiff_t>(ball));
-  balls_ = Balls(balls);
+  balls_ = Balls(balls, effects_);
+  pull_known_ = false;
   for (auto& turns : turns_) {
     if (!turns.empty()) turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(ball));
   }
@@ -260,9 +317,8 @@ void OverlapSolver::remove(std::size_t ball) {
 }
 
 void OverlapSolver::set(const Effects& effects) {
-  if (effects.walls) effects_.walls = effects.walls;
-  if (effects.collisions) effects_.collisions = effects.collisions;
-  if (effects.gravity) effects_.gravity = effects.gravity;
+  assign(effects_, effects);
+  pull_known_ = false;
   renew_rules();
 }
 
@@ -275,17 +331,29 @@ void OverlapSolver::set_step(double step) {
 
 void OverlapSolver::renew_rules() {
   const Vec2 acceleration = effects_.gravity ? effects_.gravity->acceleration : Vec2{0, 0};
+  drag_rate_ = effects_.drag ? effects_.drag->rate : 0;
   rule_.acceleration = acceleration;
+  rule_.step = step_;
   if (effects_.collisions) {
     rule_.restitution = effects_.collisions->restitution;
     rule_.rest_speed = effects::rest_speed(acceleration.norm(), step_, rule_.restitution);
     rule_.stretch = rule_.rest_speed > 0 ? effects::kPileStretch : 1;
   }
-  if (effects_.walls) rule_.wall_restitution = effects_.walls->restitution;
+  if (effects_.walls) {
+    rule_.wall_restitution = effects_.walls->restitution;
+    domain_ = Domain(box_, effects_.walls->on);
+  }
+  if (effects_.friction) {
+    rule_.friction = effects_.friction->balls;
+    rule_.wall_friction = effects_.friction->walls;
+  }
   forget_pairs();
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double along = acceleration[Balls::index(axis)];
     rule_.wall_rest_speed[axis] = effects::rest_speed(along, step_, rule_.wall_restitution);
+    wall_rule_[axis] = {rule_.wall_restitution, along, rule_.wall_rest_speed[axis], drag_rate_};
+    glide_[axis] =
+        drag_rate_ > 0 ? effects::slowed(drag_rate_, step_, along) : effects::fall(along, step_);
     if (along != 0 && domain_.period[axis] > 0) turns_[axis].resize(balls_.size(), 0);
   }
 }
@@ -294,27 +362,32 @@ void OverlapSolver::renew_rules() {
 
 double OverlapSolver::energy() const {
   const Vec2 periods{domain_.period[0], domain_.period[1]};
-  return kinetic_energy(balls_) + potential_energy(balls_, rule_.acceleration, periods, turns_);
+  double sum =
+      kinetic_energy(balls_) + potential_energy(balls_, rule_.acceleration, periods, turns_);
+  if (effects_.friction) sum += spin_energy(balls_);
+  if (effects_.attraction) {
+    sum += effects::attraction_energy(balls_, domain_, *effects_.attraction);
+  }
+  return sum;
 }
 
 void OverlapSolver::count(Measurements& measurements) const {
-  double gravity = 0;
-  double walls = 0;
-  double collisions = 0;
+  EffectSeconds seconds;
   for (const Desk& desk : desks_) {
     measurements.ball_ball += desk.impacts.ball_ball;
     measurements.ball_wall += desk.impacts.ball_wall;
     measurements.max_overlap = std::max(measurements.max_overlap, desk.deepest);
-    gravity += desk.gravity_seconds;
-    walls += desk.walls_seconds;
-    collisions += desk.collisions_seconds;
+    seconds += desk.seconds;
+    seconds.of<Friction>() += desk.impacts.friction_seconds;
   }
   const std::uint64_t sampled = (taken_ + kSampling - 1) / kSampling;
   const double scale =
       sampled == 0 ? 0 : static_cast<double>(taken_) / static_cast<double>(sampled);
-  if (effects_.walls) measurements.effects.emplace_back("walls", walls * scale);
-  if (effects_.collisions) measurements.effects.emplace_back("collisions", collisions * scale);
-  if (effects_.gravity) measurements.effects.emplace_back("gravity", gravity * scale);
+  for_each_effect([&](const auto& entry) {
+    using Effect = typename std::decay_t<decltype(entry)>::Type;
+    if (!(effects_.*entry.slot)) return;
+    measurements.effects.emplace_back(entry.name, seconds.of<Effect>() * scale);
+  });
 }
 
 void OverlapSolver::save(Scene& scene) const {

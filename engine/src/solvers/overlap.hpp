@@ -11,6 +11,8 @@
 #include "contact/pair_list.hpp"
 #include "effects/collisions.hpp"
 #include "effects/flight.hpp"
+#include "effects/friction.hpp"
+#include "effects/walls.hpp"
 #include "solvers/overlap_plan.hpp"
 #include "solvers/solver.hpp"
 #include "state/balls.hpp"
@@ -28,10 +30,15 @@ namespace carom {
 ///     neighbour_search    each worker: the neighbours of its balls, where the list has aged
 ///     pair_computation    each worker: its pairs               reads all balls, writes its hits
 ///     pair_resolution     each worker: some groups of touching balls, writes those
+///     attraction          each worker: the pull on its balls   reads all balls, writes its balls
 ///
-/// Without collisions only the first is there; without walls it is called `flight`.  Work that is
-/// too little to share is done between two phases by the worker that arrives last; a scene that
-/// starts too small ever to share it does not have the phase: see OverlapPlan.
+/// Only what the scene names is there: without collisions none of the pairs, without attraction not
+/// the last; without walls the first is called `flight`.  Attraction is velocity Verlet around the
+/// rest of the step: half a step of the pull before the flight, half a step after the impacts, of
+/// the pull where the balls are then; so one sum over all balls in a step is enough.
+///
+/// Work that is too little to share is done between two phases by the worker that arrives last; a
+/// scene that starts too small ever to share it does not have the phase: see OverlapPlan.
 ///
 /// Holds: no memory from step to step beside the balls: lists of pairs never change the result.
 class OverlapSolver final : public Solver {
@@ -65,26 +72,31 @@ class OverlapSolver final : public Solver {
     effects::ImpactCount impacts;
     double deepest = 0;
     double moved_square = 0;  // of the ball that has moved farthest since the list was built
-    double gravity_seconds = 0;
-    double walls_seconds = 0;
-    double collisions_seconds = 0;
+    EffectSeconds seconds;
   };
 
   void fly(Share share);
-  void fly(std::size_t begin, std::size_t end, Desk& desk);
+  void fly(std::size_t begin, std::size_t end, Desk& desk, effects::Struck* struck);
+  void note_moves(std::size_t begin, std::size_t end, Desk& desk) const;
   void search(Share share);
   void detect(Share share);
   void resolve(Share share);
+  void pull(Share share);
   [[nodiscard]] std::size_t after_flight();
   [[nodiscard]] std::size_t after_detection();
+  [[nodiscard]] std::size_t after_impacts();
+  [[nodiscard]] std::size_t after_pull();
   [[nodiscard]] std::size_t end_step();
 
   void renew_rules();
   void forget_pairs();
+  [[nodiscard]] bool collides() const { return effects_.collisions && effects_.collisions->on; }
+  [[nodiscard]] bool timed() const;
   [[nodiscard]] bool many() const;
   [[nodiscard]] bool list_is_stale() const;
   void build_grid();
 
+  Box box_;
   Domain domain_;
   Effects effects_;
   Balls balls_;
@@ -95,13 +107,20 @@ class OverlapSolver final : public Solver {
   std::size_t detect_ = 0;
   std::optional<std::size_t> search_;
   std::optional<std::size_t> resolve_;
+  std::optional<std::size_t> attract_;
   double step_;
   double step_origin_ = 0;
   std::uint64_t steps_ = 0;   // since step_origin_
   std::uint64_t target_ = 0;  // the step to stop at
   std::uint64_t taken_ = 0;   // since this solver was made
+  bool pull_known_ = false;   // the pull is that of the present places
+  bool in_step_ = false;
   Turns turns_;
 
+  // What a step takes of the effects, worked out anew where one of them or the step changes.
+  double drag_rate_ = 0;
+  std::array<Glide, 2> glide_;
+  std::array<effects::WallRule, 2> wall_rule_;
   effects::CollisionRule rule_;
   effects::GroupResolver resolver_{domain_, rule_};
   PairList all_pairs_;

@@ -22,10 +22,13 @@ struct OverlapPlan {
   bool neighbour_list = false;     ///< else all pairs are cached once
   bool shared_search = false;      ///< there is a phase neighbour_search
   bool shared_resolution = false;  ///< there is a phase pair_resolution
+  bool attraction = false;         ///< there is a phase attraction
 
   OverlapPlan() = default;
   OverlapPlan(const Effects& effects, std::size_t balls, std::size_t workers)
-      : pairs(effects.collisions.has_value()), neighbour_list(pairs && balls >= kManyBalls) {
+      : pairs(effects.collisions.has_value()),
+        neighbour_list(pairs && balls >= kManyBalls),
+        attraction(effects.attraction.has_value()) {
     const bool shares = workers > 1 && workers <= kFewWorkers;
     shared_search = pairs && shares && balls >= kSharedSearch;
     shared_resolution = neighbour_list && shares;

@@ -2,7 +2,7 @@
 
 namespace carom {
 
-Balls::Balls(const std::vector<Ball>& balls) {
+Balls::Balls(const std::vector<Ball>& balls, const Effects& effects) {
   const Eigen::Index n = index(balls.size());
   for (std::size_t axis = 0; axis < 2; ++axis) {
     position[axis].resize(n);
@@ -11,6 +11,10 @@ Balls::Balls(const std::vector<Ball>& balls) {
   radius.resize(n);
   mass.resize(n);
   inverse_mass.resize(n);
+  if (effects.friction) spin.resize(n);
+  if (effects.attraction) {
+    for (Column& column : pull) column = Column::Zero(n);
+  }
   glyph.reserve(balls.size());
   for (Eigen::Index i = 0; i < n; ++i) {
     const Ball& ball = balls[static_cast<std::size_t>(i)];
@@ -21,6 +25,7 @@ Balls::Balls(const std::vector<Ball>& balls) {
     radius[i] = ball.radius;
     mass[i] = ball.mass;
     inverse_mass[i] = ball.fixed ? 0 : 1 / ball.mass;
+    if (spin.size() > 0) spin[i] = ball.fixed ? 0 : ball.spin;
     glyph.push_back(ball.glyph);
   }
 }
@@ -32,6 +37,7 @@ Ball Balls::ball(std::size_t i) const {
   ball.velocity = {velocity[0][k], velocity[1][k]};
   ball.radius = radius[k];
   ball.mass = mass[k];
+  if (spin.size() > 0) ball.spin = spin[k];
   ball.fixed = fixed(i);
   ball.glyph = glyph[i];
   return ball;

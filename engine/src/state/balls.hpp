@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "carom/ball.hpp"
+#include "carom/effects.hpp"
 
 namespace carom {
 
@@ -21,9 +22,11 @@ struct Balls {
   Column radius;
   Column mass;
   Column inverse_mass;
+  Column spin;                 ///< with friction
+  std::array<Column, 2> pull;  ///< with attraction: the acceleration it makes where the balls are
   std::vector<char> glyph;
 
-  explicit Balls(const std::vector<Ball>& balls = {});
+  explicit Balls(const std::vector<Ball>& balls = {}, const Effects& effects = {});
 
   [[nodiscard]] std::size_t size() const { return glyph.size(); }
   [[nodiscard]] bool fixed(std::size_t i) const { return inverse_mass[index(i)] == 0; }

@@ -14,6 +14,15 @@ double kinetic_energy(const Balls& balls) {
   return sum;
 }
 
+double spin_energy(const Balls& balls) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < balls.radius.size(); ++i) {
+    const double speed = balls.radius[i] * balls.spin[i];
+    sum += balls.mass[i] * speed * speed / 4;
+  }
+  return sum;
+}
+
 double potential_energy(const Balls& balls, const Vec2& gravity, const Vec2& periods,
                         const Turns& turns) {
   double sum = 0;
@@ -58,6 +67,7 @@ std::string state_hash(const Balls& balls) {
     for (const auto* columns : {&balls.position, &balls.velocity}) {
       for (const Balls::Column& column : *columns) digest = mixed(digest, column[i]);
     }
+    if (balls.spin.size() > 0) digest = mixed(digest, balls.spin[i]);
   }
   std::string text(16, '0');
   for (std::size_t k = 0; k < text.size(); ++k) {

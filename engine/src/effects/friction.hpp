@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+
+#include "effects/contact_group.hpp"
+#include "effects/flight.hpp"
+
+namespace carom::effects {
+
+/// Coulomb friction of uniform disks, I = m r^2 / 2.  With t = (-n_y, n_x), n from ball i to ball
+/// j, the slip is u = (v_j - v_i).t - (r_i w_i + r_j w_j); the impulse along t that stops it, -u /
+/// (3/m_i + 3/m_j), is cut off at the coefficient times the normal impulse.  A wall has r w = 0,
+/// and like a fixed ball 1/m = 0.
+
+/// Rubs two members of a group that have just met: `normal` is the size of their normal impulse.
+void rub(Member& a, Member& b, const LineOfCentres& line, double normal, double coefficient);
+
+/// Rubs a member at the wall across an axis: `normal` is the impulse by mass towards the outside.
+void rub_wall(Member& member, std::size_t axis, double normal, double coefficient);
+
+/// What a block of balls took from the walls across each axis in a step: impulse by mass, towards
+/// the outside; 0 where a ball met none.
+struct Struck {
+  std::array<Flight::Lanes, 2> normal{};
+};
+
+/// Rubs the balls of a block at the walls they struck.
+void rub_walls(Balls& balls, std::size_t begin, std::size_t count, const Struck& struck,
+               double coefficient);
+
+}  // namespace carom::effects
