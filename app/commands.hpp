@@ -8,6 +8,7 @@ namespace carom {
 /// running, 2 wrong usage or a bad scene (thrown as SceneError or UsageError, said by main).
 int play(const Options& options);
 int run(const Options& options);
+int accuracy(const Options& options);
 int check(const Options& options);
 
 }  // namespace carom

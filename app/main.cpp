@@ -15,6 +15,8 @@ int obey(const carom::Options& options) {
       return carom::play(options);
     case carom::Options::Command::run:
       return carom::run(options);
+    case carom::Options::Command::accuracy:
+      return carom::accuracy(options);
     case carom::Options::Command::check:
       return carom::check(options);
     case carom::Options::Command::print:

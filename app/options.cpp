@@ -34,12 +34,14 @@ constexpr std::array kCommands{
                "play SCENE, or the built-in scene, in the terminal"},
     CommandRow{"run", Options::Command::run, 1, 1, "SCENE",
                "simulate without a terminal; write frames, report, final state"},
+    CommandRow{"accuracy", Options::Command::accuracy, 1, 1, "SCENE",
+               "run it in every way: what each costs, and how wrong each is"},
     CommandRow{"check", Options::Command::check, 1, kManyScenes, "SCENE...",
                "say what a scene simulates and what not, or what is wrong with it"},
 };
 
 /// Named by the documents, and still to come.
-constexpr std::array<std::string_view, 2> kLaterCommands{"accuracy", "verify"};
+constexpr std::array<std::string_view, 1> kLaterCommands{"verify"};
 
 const CommandRow* find_command(std::string_view name) {
   const auto* const row = std::find_if(kCommands.begin(), kCommands.end(),
@@ -56,6 +58,7 @@ class Syntax {
     app_.add_option("SCENE", options_.scenes);
     options_.command = row.command;
     if (row.command == Options::Command::run) add_run();
+    if (row.command == Options::Command::accuracy) add_accuracy();
     add_common();
   }
 
@@ -138,17 +141,19 @@ class Syntax {
           options_.digits = static_cast<int>(whole_number(name, text, 1, 1000));
         },
         "digits of the arithmetic: 16, double precision");
-    add(
-        "--workers", "WORKERS",
-        [this](const std::string& name, const std::string& text) {
-          if (text != "per-ball" && text.find_first_not_of("0123456789") != std::string::npos) {
-            throw UsageError(
-                fmt::format("{}: must be per-ball or a whole number from 1, got '{}'", name, text));
-          }
-          if (text != "per-ball") whole_number(name, text, 1, kAny);
-          options_.workers = text;
-        },
-        "threads: a number, or per-ball; never changes the result");
+    if (row_.command == Options::Command::accuracy) {
+      add(
+          "--workers", "WORKERS",
+          [this](const std::string& name, const std::string& text) { take_crews(name, text); },
+          "threads, as in 1,2,per-ball: the first for all runs, the rest for one of each method");
+    } else {
+      add(
+          "--workers", "WORKERS",
+          [this](const std::string& name, const std::string& text) {
+            options_.workers = crew(name, text);
+          },
+          "threads: a number, or per-ball; never changes the result");
+    }
     add(
         "--seed", "SEED",
         [this](const std::string& name, const std::string& text) {
@@ -160,14 +165,66 @@ class Syntax {
     add_flag("--version", version_, "print the version");
   }
 
-  void add_run() {
-    app_.option_defaults()->group("Options of run");
+  static std::string crew(const std::string& name, const std::string& text) {
+    if (text != "per-ball" && text.find_first_not_of("0123456789") != std::string::npos) {
+      throw UsageError(
+          fmt::format("{}: must be per-ball or a whole number from 1, got '{}'", name, text));
+    }
+    if (text != "per-ball") whole_number(name, text, 1, kAny);
+    return text;
+  }
+
+  void take_crews(const std::string& name, const std::string& text) {
+    options_.crews.clear();
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find(',', begin), text.size());
+      options_.crews.push_back(crew(name, text.substr(begin, end - begin)));
+      begin = end + 1;
+    }
+    options_.workers = options_.crews.front();
+  }
+
+  void add_time() {
     add(
         "--time", "SECONDS",
         [this](const std::string& name, const std::string& text) {
           options_.time = finite_number(name, text, true);
         },
         "simulated seconds to run, not the scene's duration");
+  }
+
+  void add_accuracy() {
+    app_.option_defaults()->group("Options of accuracy");
+    add_time();
+    add(
+        "--target", "ERROR",
+        [this](const std::string& name, const std::string& text) {
+          options_.target = positive_number(name, text);
+        },
+        "name the cheapest run whose error of position at the end is not larger");
+    add(
+        "--share", "SECONDS",
+        [this](const std::string& name, const std::string& text) {
+          options_.share = finite_number(name, text, false);
+        },
+        "wall-clock seconds that one run may take (2)");
+    add_file("--json", options_.json, "write everything as JSON");
+    add_file("--csv", options_.csv, "write the runs as a table with commas");
+    add(
+        "--plot", "FILE",
+        [this](const std::string& name, const std::string& text) {
+          if (!text.ends_with(".svg") && !text.ends_with(".png")) {
+            throw UsageError(fmt::format("{}: must end in .svg or .png, got '{}'", name, text));
+          }
+          options_.plot = text;
+        },
+        "draw error against time with gnuplot: .svg or .png");
+    add_flag("--quiet", options_.quiet, "no progress and no table");
+  }
+
+  void add_run() {
+    app_.option_defaults()->group("Options of run");
+    add_time();
     add(
         "--frames", "FRAMES",
         [this](const std::string& name, const std::string& text) {
@@ -206,12 +263,16 @@ class Syntax {
 };
 
 /// Where the command's name stands: the first argument that is neither option nor option's value.
-std::size_t find_command_word(const std::vector<std::string>& arguments, const CLI::App& app) {
+std::size_t find_command_word(const std::vector<std::string>& arguments) {
+  // Between them they have the options of every command, and so tell values from words.
+  const Syntax run(*find_command("run"));
+  const Syntax accuracy(*find_command("accuracy"));
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
     if (argument == "--") break;
     if (argument == "-" || !argument.starts_with('-')) return i;
-    const CLI::Option* const option = app.get_option_no_throw(argument);
+    const CLI::Option* option = run.app().get_option_no_throw(argument);
+    if (option == nullptr) option = accuracy.app().get_option_no_throw(argument);
     if (option != nullptr && option->get_items_expected_max() > 0) ++i;
   }
   return arguments.size();
@@ -258,6 +319,11 @@ std::string command_help(const CommandRow& row, const Syntax& syntax) {
   std::string text = fmt::format("carom {}: {}\n\nUsage: carom {} {} [OPTION...]\n", row.name,
                                  row.purpose, row.name, row.arguments);
   text += help_options(syntax.app());
+  if (row.command == Options::Command::accuracy) {
+    text +=
+        "\nA FILE of - is standard output; the table then goes to standard error.\n"
+        "A file is written whole or not at all.\n";
+  }
   if (row.command == Options::Command::run) {
     text +=
         "\nA FILE of - is standard output; the summary then goes to standard error.\n"
@@ -271,8 +337,7 @@ std::string command_help(const CommandRow& row, const Syntax& syntax) {
 Options parse_options(const std::vector<std::string>& arguments) {
   refuse_empty_values(arguments);
   std::vector<std::string> rest = arguments;
-  // The options of `run` are those of every command and more, so that they tell values from words.
-  const std::size_t word = find_command_word(rest, Syntax(*find_command("run")).app());
+  const std::size_t word = find_command_word(rest);
   const CommandRow* row = nullptr;
   if (word < rest.size()) {
     const std::string& name = rest[word];
@@ -297,8 +362,9 @@ Options parse_options(const std::vector<std::string>& arguments) {
     return options;
   }
   if (!named && options.scenes.size() > 1) {
-    throw UsageError(fmt::format("unknown command '{}': the commands are play, run and check",
-                                 options.scenes.front()));
+    throw UsageError(
+        fmt::format("unknown command '{}': the commands are play, run, accuracy and check",
+                    options.scenes.front()));
   }
   check_together(options, *row, syntax);
   return options;

@@ -19,7 +19,7 @@ class UsageError : public std::runtime_error {
 
 /// What the command line asks for.
 struct Options {
-  enum class Command { play, run, check, print };
+  enum class Command { play, run, accuracy, check, print };
 
   Command command = Command::play;
   std::string text;                 ///< print: the help or the version
@@ -43,6 +43,14 @@ struct Options {
   std::string report;
   std::string save;
   bool quiet = false;
+
+  // accuracy, which takes the time of run too
+  std::vector<std::string> crews;  ///< each as `workers`; the first computes every row
+  std::optional<double> target;    ///< error of position, scene units
+  double share = 2;                ///< wall-clock seconds of a run
+  std::string json;                ///< files, as above
+  std::string csv;
+  std::string plot;  ///< .svg or .png
 };
 
 /// Reads the arguments, without the program's name.  Errors: UsageError.

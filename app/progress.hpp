@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <string>
 
 namespace carom {
 
@@ -15,10 +16,15 @@ class Progress {
 
   /// The part that is done, 0 to 1, and the simulated seconds; drawn a few times a second.
   void show(double part, double simulated);
+  /// The part that is done, the seconds that are left, and what is being done.
+  void show_left(double part, double left, const std::string& what);
   void erase();
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  [[nodiscard]] bool due();
+  void draw(double part, const std::string& text);
 
   bool shown_here_;
   Clock::time_point started_ = Clock::now();

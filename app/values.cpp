@@ -42,6 +42,12 @@ double finite_number(const std::string& option, const std::string& text, bool ze
                                zero ? "0 or more" : "greater than 0", text));
 }
 
+double positive_number(const std::string& option, const std::string& text) {
+  const auto value = number<double>(text);
+  if (value && std::isfinite(*value) && *value > 0) return *value;
+  throw UsageError(fmt::format("{}: must be a number greater than 0, got '{}'", option, text));
+}
+
 std::pair<int, int> cell_size(const std::string& option, const std::string& text) {
   const std::size_t cross = text.find('x');
   if (cross != std::string::npos) {

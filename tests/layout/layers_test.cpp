@@ -35,6 +35,7 @@ const std::vector<Layer> kLayers{
     {"engine/src/simulation",
      {"carom/", "simulation", "state/", "contact/", "effects/", "solvers/", "crew/",
       "scene/available.hpp", "Eigen/", "fmt/"}},
+    {"engine/src/accuracy/", {"carom/", "accuracy/", "Eigen/", "fmt/"}},
     {"engine/src/report", {"carom/", "fmt/", "nlohmann/"}},
     {"engine/src/", {"carom/", "state/", "Eigen/", "fmt/"}},
     {"app/view/", {"carom/", "view/", "fmt/", "curses.h", "term.h"}},

@@ -29,7 +29,7 @@ std::string help(const std::vector<std::string>& command) {
 }
 
 std::string every_help() {
-  return help({}) + help({"play"}) + help({"run"}) + help({"check"});
+  return help({}) + help({"play"}) + help({"run"}) + help({"accuracy"}) + help({"check"});
 }
 
 std::string page() {
@@ -53,7 +53,7 @@ TEST(Help, AnOptionsValueIsCalledTheSameInThePage) {
 TEST(Help, EveryCommandIsInThePage) {
   const auto in_help = found(help({}), std::regex("\n  ([a-z]+) \\[?SCENE"));
   EXPECT_EQ(in_help, found(page(), std::regex("\n\\.It Cm ([a-z]+) (?:Op )?Ar SCENE")));
-  EXPECT_EQ(in_help, (std::set<std::string>{"check", "play", "run"}));
+  EXPECT_EQ(in_help, (std::set<std::string>{"accuracy", "check", "play", "run"}));
 }
 
 TEST(Help, FitsEightyColumns) {

@@ -1,0 +1,170 @@
+#include "accuracy_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "carom/report.hpp"
+
+namespace carom {
+namespace {
+
+constexpr double kRounding = 1e-9;
+constexpr double kPercent = 100;
+
+using Line = std::vector<std::string>;
+
+std::string or_lost(const std::optional<double>& error, const char* otherwise) {
+  return error ? error_text(*error) : otherwise;
+}
+
+/// How far the middle half of the repeats lies apart, as a part of their median.
+std::string spread_text(const AccuracyRow& row) {
+  if (row.seconds <= 0) return "-";
+  return fmt::format("{:.0f} %", (row.quartiles[1] - row.quartiles[0]) / row.seconds * kPercent);
+}
+
+std::string horizon_text(const AccuracyRow& row) {
+  if (!row.horizon) return "to the end";
+  return fmt::format("{:.4g} s", *row.horizon);
+}
+
+Line line_of(const AccuracyStudy& study, const AccuracyRow& row, bool best, bool crews) {
+  Line line{best ? "*" : "", run_name(row)};
+  if (crews) line.push_back(fmt::format("{}{}", row.workers, row.per_ball ? " per-ball" : ""));
+  if (!row.failure.empty()) {
+    line.push_back(row.failure);
+    return line;
+  }
+  line.push_back(duration_text(study.seconds_per_simulated_second(row)));
+  line.push_back(spread_text(row));
+  line.push_back(or_lost(row.position_error, "lost"));
+  line.push_back(or_lost(row.energy_error, "unknown"));
+  line.push_back(row.max_overlap == 0 ? "0" : fmt::format("{:.1e}", row.max_overlap));
+  line.push_back(fmt::format("{}", row.ball_ball));
+  line.push_back(fmt::format("{}", row.ball_wall));
+  line.push_back(horizon_text(row));
+  return line;
+}
+
+std::string reference_text(const AccuracyStudy& study) {
+  const AccuracyReference& reference = study.reference;
+  std::string text =
+      fmt::format("reference: {} with {} digits; with {} it is nowhere farther away than {}\n",
+                  method_name(reference.method), reference.digits, reference.checked_digits,
+                  error_text(reference.difference));
+  if (reference.holds_until) {
+    text = fmt::format(
+        "reference: {} with {} digits; with {} it parts from that at {:.4g} s, where the truth "
+        "ends\n",
+        method_name(reference.method), reference.digits, reference.checked_digits,
+        *reference.holds_until);
+  }
+  return text;
+}
+
+/// The resolution of the horizons that were looked at closely, and of those that steps keep coarse.
+std::string resolution_text(const AccuracyStudy& study) {
+  double finest = 0;
+  double coarsest = 0;
+  for (const AccuracyRow& row : study.rows) {
+    if (!row.horizon || !row.failure.empty()) continue;
+    finest = finest == 0 ? row.horizon_resolution : std::min(finest, row.horizon_resolution);
+    coarsest = std::max(coarsest, row.horizon_resolution);
+  }
+  if (coarsest == 0) return "";
+  const std::string range =
+      finest == coarsest ? duration_text(finest)
+                         : fmt::format("{} to {}", duration_text(finest), duration_text(coarsest));
+  return fmt::format(
+      "  horizon: when a ball is first seen more than {:.3g} from where it should "
+      "be; looked at every {}\n",
+      study.smallest_radius / kPercent, range);
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  struct Unit {
+    double size;
+    const char* name;
+  };
+  for (const Unit unit : {Unit{1, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "us"}}) {
+    if (seconds >= unit.size) return fmt::format("{:.3g} {}", seconds / unit.size, unit.name);
+  }
+  return seconds == 0 ? "0 s" : fmt::format("{:.3g} ns", seconds / 1e-9);
+}
+
+std::string step_text(double step) {
+  const double parts = 1 / step;
+  if (parts > 1 && std::abs(parts - std::rint(parts)) < kRounding * parts) {
+    return fmt::format("1/{:.0f} s", std::rint(parts));
+  }
+  return fmt::format("{:.4g} s", step);
+}
+
+std::string error_text(double error) {
+  return error == 0 ? "0" : fmt::format("{:.1e}", error);
+}
+
+std::string run_name(const AccuracyRow& row) {
+  std::string name = method_name(row.method);
+  if (row.method == Method::event) name += fmt::format(", {} digits", row.digits);
+  if (row.step) name += ", " + step_text(*row.step);
+  return name;
+}
+
+std::string to_table(const AccuracyStudy& study) {
+  const bool crews = std::any_of(study.rows.begin(), study.rows.end(), [&](const AccuracyRow& row) {
+    return row.workers != study.rows.front().workers || row.per_ball != study.rows.front().per_ball;
+  });
+  std::string text = study.scene.empty() ? "a scene without a name" : study.scene;
+  text += fmt::format(": {} {}, {:.6g} s simulated", study.balls,
+                      study.balls == 1 ? "ball" : "balls", study.time);
+  if (!crews && !study.rows.empty()) {
+    const AccuracyRow& row = study.rows.front();
+    text += fmt::format(", on {} {}{}", row.workers, row.workers == 1 ? "worker" : "workers",
+                        row.per_ball ? ", one per ball" : "");
+  }
+  text += '\n' + reference_text(study);
+  text += fmt::format("true impacts{}: {} of balls, {} of walls\n\n",
+                      study.reference.holds_until ? " until then" : "", study.reference.ball_ball,
+                      study.reference.ball_wall);
+
+  std::vector<Line> lines{{"", "", "time", "", "error of", "error of", "deepest", "impacts", "of"}};
+  lines.push_back({"", "run", "per s", "spread", "position", "energy", "overlap", "of balls",
+                   "walls", "horizon"});
+  if (crews) {
+    lines[0].insert(lines[0].begin() + 2, "");
+    lines[1].insert(lines[1].begin() + 2, "workers");
+  }
+  const std::size_t columns = lines[1].size();
+  const std::vector<bool> best = best_choices(study);
+  for (std::size_t i = 0; i < study.rows.size(); ++i) {
+    lines.push_back(line_of(study, study.rows[i], best[i], crews));
+  }
+  std::vector<std::size_t> width(columns);
+  for (const Line& line : lines) {
+    if (line.size() + 1 < columns) continue;  // a failure is as long as it is
+    for (std::size_t c = 0; c < line.size(); ++c) width[c] = std::max(width[c], line[c].size());
+  }
+  for (const Line& line : lines) width[1] = std::max(width[1], line[1].size());
+  for (const Line& line : lines) {
+    std::string row;
+    const bool failed = line.size() + 1 < columns;
+    for (std::size_t c = 0; c < line.size(); ++c) {
+      const bool left = c <= 1 || (failed && c + 1 == line.size());
+      row += "  " + (left ? fmt::format("{:<{}}", line[c], failed && c > 1 ? 0 : width[c])
+                          : fmt::format("{:>{}}", line[c], width[c]));
+    }
+    row.erase(row.find_last_not_of(' ') + 1);
+    text += row.substr(1) + '\n';
+  }
+  text += "\n  * no run is both cheaper and better\n" + resolution_text(study);
+  if (!study.ladder_end.empty()) text += "  the ladder ends: " + study.ladder_end + '\n';
+  return text;
+}
+
+}  // namespace carom

@@ -1,0 +1,55 @@
+#include "export/accuracy_csv.hpp"
+
+#include <fmt/format.h>
+
+#include "carom/report.hpp"
+
+namespace carom {
+namespace {
+
+/// As RFC 4180 has it.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"') result += '"';
+    result += c;
+  }
+  return result + '"';
+}
+
+std::string or_empty(const std::optional<double>& number) {
+  return number ? fmt::format("{}", *number) : "";
+}
+
+std::string measured(const AccuracyStudy& study, const AccuracyRow& row) {
+  if (!row.failure.empty()) return ",,,,,,,,,,";
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", row.seconds, row.fastest, row.slowest,
+                     row.repeats, study.seconds_per_simulated_second(row),
+                     or_empty(row.position_error), or_empty(row.energy_error), row.max_overlap,
+                     row.ball_ball, row.ball_wall, or_empty(row.horizon));
+}
+
+}  // namespace
+
+std::string to_csv(const AccuracyStudy& study) {
+  const AccuracyReference& reference = study.reference;
+  std::string text =
+      "method,step,digits,workers,per_ball,seconds,seconds_fastest,seconds_slowest,repeats,"
+      "seconds_per_simulated_second,position_error,energy_error,max_overlap,ball_ball,ball_wall,"
+      "horizon,horizon_resolution,failed,scene,time,seed,reference_digits,true_ball_ball,"
+      "true_ball_wall,version,compiler,processor,cores,system\n";
+  for (const AccuracyRow& row : study.rows) {
+    const bool lost = row.failure.empty() && row.horizon;
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", method_name(row.method),
+        or_empty(row.step), row.digits, row.workers, row.per_ball, measured(study, row),
+        lost ? fmt::format("{}", row.horizon_resolution) : "", quoted(row.failure),
+        quoted(study.scene), study.time, study.seed, reference.digits, reference.ball_ball,
+        reference.ball_wall, version(), quoted(study.machine.compiler),
+        quoted(study.machine.processor), study.machine.cores, quoted(study.machine.system));
+  }
+  return text;
+}
+
+}  // namespace carom

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "carom/machine.hpp"
+#include "carom/scene.hpp"
+
+namespace carom {
+
+/// Worker threads that a run is timed on.
+struct AccuracyCrew {
+  bool per_ball = false;
+  std::size_t workers = 1;  ///< where not one per ball
+};
+
+/// What a study of accuracy is asked for.
+struct AccuracyRequest {
+  std::optional<double> time;    ///< simulated seconds; absent: the scene's duration
+  std::optional<double> target;  ///< the error of position that is wanted
+  /// The first computes every row, the others those of one run.  Empty: as the scene says, else one
+  /// worker.
+  std::vector<AccuracyCrew> crews;
+  double share = 2;  ///< wall-clock seconds that one run may take
+  /// Told now and then: the part that is done, and the seconds that are left.
+  std::function<void(double part, double left, const std::string& what)> progress;
+};
+
+/// One run of the scene, and how wrong it was.
+struct AccuracyRow {
+  Method method = Method::overlap;
+  std::optional<double> step;  ///< seconds; absent: the run takes none
+  int digits = 16;
+  std::size_t workers = 1;
+  bool per_ball = false;
+  std::string failure;  ///< why there are no numbers; empty: there are
+
+  double seconds = 0;  ///< wall clock, the median of the repeats
+  double fastest = 0;  ///< their spread: the ends, and those of the middle half
+  double slowest = 0;
+  std::array<double, 2> quartiles{0, 0};
+  std::size_t repeats = 0;
+  /// Largest distance of a ball from where it should be at the end; absent where the reference does
+  /// not reach so far.
+  std::optional<double> position_error;
+  /// At the end, in parts of the energy at first, not negative; absent where nobody knows what it
+  /// should be.
+  std::optional<double> energy_error;
+  double max_overlap = 0;       ///< deepest penetration seen / smaller radius of the two
+  std::uint64_t ball_ball = 0;  ///< impacts
+  std::uint64_t ball_wall = 0;
+  /// Simulated seconds until a ball is first seen farther than 1 % of the smallest radius from
+  /// where it should be; absent: not within the time.
+  std::optional<double> horizon;
+  double horizon_resolution = 0;  ///< it was not so this long before
+};
+
+/// The run that the others are held against.
+struct AccuracyReference {
+  Method method = Method::event;
+  int digits = 0;
+  std::optional<double> step;
+  int checked_digits = 0;  ///< of the run that it was compared with, ...
+  double difference = 0;   ///< ... and the largest distance of a ball between the two at any time
+  double seconds = 0;      ///< wall clock of both
+  /// Where the two part by more than 1 % of the smallest radius: what comes after is unknown to
+  /// all.  Absent: they do not.
+  std::optional<double> holds_until;
+  std::uint64_t ball_ball = 0;  ///< impacts until then, or the end
+  std::uint64_t ball_wall = 0;
+};
+
+/// What accuracy costs in one scene.
+struct AccuracyStudy {
+  std::string scene;
+  double time = 0;  ///< simulated seconds
+  std::size_t balls = 0;
+  double smallest_radius = 0;  ///< 0: there is no ball
+  std::uint64_t seed = 0;
+  Machine machine;
+  AccuracyReference reference;
+  std::vector<AccuracyRow> rows;
+  /// Why the ladder of steps ends where it does; empty: at its end.
+  std::string ladder_end;
+  std::optional<double> target;
+  std::optional<std::size_t> recommended;  ///< the cheapest row that meets the target
+
+  /// Every run is lost before the end, so that errors at the end say nothing.
+  [[nodiscard]] bool judged_by_horizon() const;
+  /// A row's price.
+  [[nodiscard]] double seconds_per_simulated_second(const AccuracyRow& row) const;
+};
+
+/// There is nothing to hold the runs against; `what()` says why and what would help, in one line.
+class NoReference : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs the scene in every way that can take it and holds each against the truth.
+///
+/// The script is obeyed, at the simulated times its lines fall on; its changes of the step are not,
+/// since each run keeps its own.
+/// Errors: SceneError for a scene that cannot be run at all; NoReference; a run that fails is a row
+/// that says so.
+AccuracyStudy study_accuracy(const Scene& scene, const AccuracyRequest& request);
+
+/// The cheapest row whose error of position is at most `target`.
+std::optional<std::size_t> cheapest_within(const AccuracyStudy& study, double target);
+
+/// The rows than which no other is both cheaper and nearer to the truth, or, where that is what
+/// they are judged by, longer near it.
+std::vector<bool> best_choices(const AccuracyStudy& study);
+
+/// The study as a JSON object.
+std::string to_json(const AccuracyStudy& study);
+
+}  // namespace carom

@@ -1,0 +1,94 @@
+#include "accuracy/assess.hpp"
+
+#include <cmath>
+
+namespace carom::accuracy {
+namespace {
+
+Way way_of(const AccuracyRow& row) {
+  return {row.method, row.step, row.digits};
+}
+
+/// Where the truth ends before the run does, what should be kept is what is known of the end.
+std::optional<double> energy_error(const Measurements& measured, const Effects& effects,
+                                   std::optional<double> truth) {
+  const double first = measured.energy_initial + measured.energy_input;
+  const bool keeps = (!effects.walls || effects.walls->restitution == 1) &&
+                     (!effects.collisions || effects.collisions->restitution == 1) &&
+                     !effects.drag && !effects.friction;
+  if (!truth && !keeps) return std::nullopt;
+  const double off = std::abs(measured.energy_final - truth.value_or(first));
+  return first != 0 ? off / std::abs(first) : off;
+}
+
+}  // namespace
+
+std::optional<Loss> assess(AccuracyRow& row, const Scenario& scenario, const Samples& samples,
+                           const Truth& truth, double smallest_radius) {
+  const Box& box = scenario.start.box;
+  Runner runner(scenario, way_of(row));
+  std::optional<Loss> loss;
+  std::size_t before = 0;  // the last sample at which it was compared
+  const auto compare = [&](std::size_t sample) {
+    const Places places = Places::of(runner.simulation());
+    if (!places.finite()) throw std::runtime_error("a ball is nowhere: its place is no number");
+    const double apart = distance(places, truth.at_sample[sample - 1], box);
+    if (!loss && apart > kLost * smallest_radius) {
+      loss = Loss{before, sample};
+      row.horizon = samples.time(sample);
+      row.horizon_resolution = samples.time(sample) - samples.time(before);
+    }
+    before = sample;
+    return apart;
+  };
+  for (std::size_t sample = 1; sample < truth.known() && !loss; ++sample) {
+    if (!samples.compares(sample, row.step)) continue;
+    runner.advance_to(samples.time(sample));
+    (void)compare(sample);
+  }
+  if (!loss || !truth.reference.holds_until) {
+    runner.advance_to(samples.time(truth.known()));
+    const double apart = compare(truth.known());
+    if (!truth.reference.holds_until) row.position_error = apart;
+  }
+  runner.advance_to(scenario.end);
+  const Measurements measured = runner.simulation().measure();
+  row.energy_error = energy_error(measured, scenario.start.effects, truth.energy);
+  row.max_overlap = measured.max_overlap;
+  row.ball_ball = measured.ball_ball;
+  row.ball_wall = measured.ball_wall;
+  return loss;
+}
+
+std::vector<std::uint64_t> fine_numbers(const Loss& loss, const Samples& samples,
+                                        std::optional<double> step) {
+  const std::uint64_t stride = samples.stride(step);
+  const double end = samples.time(loss.seen);
+  std::vector<std::uint64_t> numbers;
+  for (std::uint64_t fine = (loss.before * Samples::kParts / stride + 1) * stride;
+       samples.fine_time(fine) < end; fine += stride) {
+    numbers.push_back(fine);
+  }
+  return numbers;
+}
+
+void refine_horizon(AccuracyRow& row, const Loss& loss, const Scenario& scenario,
+                    const Samples& samples, const Truth& truth, double smallest_radius) {
+  Runner runner(scenario, way_of(row));
+  double before = samples.time(loss.before);
+  const auto seen = [&](double time) {
+    row.horizon = time;
+    row.horizon_resolution = time - before;
+  };
+  for (const std::uint64_t fine : fine_numbers(loss, samples, row.step)) {
+    const double time = samples.fine_time(fine);
+    runner.advance_to(time);
+    const double apart =
+        distance(Places::of(runner.simulation()), truth.at_fine.at(fine), scenario.start.box);
+    if (apart > kLost * smallest_radius) return seen(time);
+    before = time;
+  }
+  seen(*row.horizon);
+}
+
+}  // namespace carom::accuracy

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "accuracy/scenario.hpp"
+#include "carom/accuracy.hpp"
+#include "carom/simulation.hpp"
+
+namespace carom::accuracy {
+
+/// One way of computing a scene.
+struct Way {
+  Method method = Method::event;
+  std::optional<double> step;  ///< absent: the scene's, which nobody takes
+  int digits = 16;
+};
+
+/// A simulation that goes through a scenario.
+///
+/// Errors: what Simulation throws.
+class Runner {
+ public:
+  Runner(const Scenario& scenario, const Way& way, const AccuracyCrew& crew = {});
+
+  /// Moves on to `time`, obeying the commands on its way; not before the present time.
+  void advance_to(double time);
+  [[nodiscard]] const Simulation& simulation() const { return simulation_; }
+
+ private:
+  const Scenario& scenario_;
+  Simulation simulation_;
+  std::size_t next_ = 0;  // command
+};
+
+}  // namespace carom::accuracy
