@@ -23,6 +23,11 @@ std::string costs(const std::string& what, const Seconds& seconds) {
   return text;
 }
 
+std::string method(const Report& report) {
+  if (report.method == Method::event) return fmt::format("event, {} digits", report.digits);
+  return fmt::format("overlap, step {:.4g} s", report.step);
+}
+
 }  // namespace
 
 std::string to_summary(const Report& report) {
@@ -32,7 +37,7 @@ std::string to_summary(const Report& report) {
   text += row("frames", fmt::format("{}", report.frames));
   text += row("balls", fmt::format("{}", report.state.size()));
   text += row("workers", fmt::format("{}", report.workers));
-  text += row("method", fmt::format("{}, step {:.4g} s", method_name(report.method), report.step));
+  text += row("method", method(report));
   text += row("events",
               fmt::format("{} ball-ball, {} ball-wall", measured.ball_ball, measured.ball_wall));
   text += row("energy", fmt::format("{:.10g}, at first {:.10g}", measured.energy_final,

@@ -58,7 +58,17 @@ RC_GTEST_PROP(SceneRoundTrip, KeepsEveryBitOfEveryNumber, ()) {
   scene.frame_rate = 20 * some_length();
   scene.script.push_back({some_length(), command::SetStep{some_length()}});
   scene.script.push_back({2 + some_length(), command::Pause{}});
-  scene.continuation = Continuation{some_length(), some_length(), true, some_length(), 12345};
+  Continuation& continuation = scene.continuation.emplace();
+  continuation.time = some_length();
+  continuation.clock = some_length();
+  continuation.paused = true;
+  continuation.step_origin = some_length();
+  continuation.steps = 12345;
+  continuation.tick = 0x1p-60;
+  for (std::size_t i = 0; i < balls; ++i) {
+    continuation.flights.push_back(
+        {"-1152921504606846976", {"0.1", "-12345678901234567890.5e-20"}, {"1e-7", "-0"}, "", {}});
+  }
 
   const std::string text = write_scene(scene);
   const Scene back = parse_scene(text, "written");
@@ -85,6 +95,12 @@ RC_GTEST_PROP(SceneRoundTrip, KeepsEveryBitOfEveryNumber, ()) {
                  std::get<command::SetStep>(scene.script[0].command).step));
   RC_ASSERT(same(back.continuation->time, scene.continuation->time));
   RC_ASSERT(same(back.continuation->step_origin, scene.continuation->step_origin));
+  RC_ASSERT(back.continuation->flights.size() == balls);
+  for (const SavedFlight& flight : back.continuation->flights) {
+    const SavedFlight& before = scene.continuation->flights.front();
+    RC_ASSERT(flight.start == before.start);
+    RC_ASSERT(flight.position == before.position && flight.velocity == before.velocity);
+  }
   RC_ASSERT(back.continuation->paused && back.continuation->steps == 12345U);
 }
 

@@ -187,6 +187,21 @@ const std::vector<BadScene> kBad{
      "\"event\" needs periodic axes longer than four radii of the largest ball, use \"overlap\""},
     {"DigitsUnknown", with(R"("solver": {"digits": 17})"), "/solver/digits",
      "must be 16, 34, 50 or 100, got 17"},
+    {"TickThatIsNoPowerOfTwo", with(R"("continuation": {"tick": 0.3})"), "/continuation/tick",
+     "must be a power of two, got 0.3"},
+    {"FlightsWithoutClock", solid(R"("balls": [{"position": [3, 5]}], "continuation": {"flights":
+              [{"start": "0", "position": ["3", "5"], "velocity": ["0", "0"]}]})"),
+     "/continuation/tick", "is missing: flights need it"},
+    {"FlightWithoutBall", with(R"("continuation": {"tick": 0.5, "flights":
+              [{"start": "0", "position": ["1", "2"], "velocity": ["1", "2"]}]})"),
+     "/continuation/flights", "must be one for each of the 0 balls, got 1"},
+    {"FlightThatIsNoNumber", with(R"("continuation": {"tick": 0.5, "flights":
+              [{"start": "0", "position": ["1", "two"], "velocity": ["1", "2"]}]})"),
+     "/continuation/flights/0/position/1", "must be a decimal number in quotes, got \"two\""},
+    {"FlightThatLeftABallThatFlies",
+     solid(R"("balls": [{"position": [3, 5]}], "continuation": {"tick": 0.5, "flights":
+              [{"start": "0", "position": ["3", "5"], "velocity": ["0", "0"], "left": 0}]})"),
+     "/continuation/flights/0/left", "must be the number of a fixed ball, got 0"},
     {"StepZero", with(R"("solver": {"step": 0})"), "/solver/step", "must be greater than 0, got 0"},
     {"WorkersZero", with(R"("workers": 0)"), "/workers", "must be \"per-ball\" or a whole number"},
     {"WorkersWord", with(R"("workers": "many")"), "/workers",

@@ -88,6 +88,15 @@ class Schema : public testing::Test {
         EXPECT_EQ(property.value("minItems", 0), 2);
         EXPECT_EQ(property.value("maxItems", 0), 2);
         break;
+      case scene::Type::decimal:
+        EXPECT_EQ(type, "string");
+        EXPECT_TRUE(property.contains("pattern"));
+        break;
+      case scene::Type::decimal_pair:
+        EXPECT_EQ(type, "array");
+        EXPECT_EQ(property.value("minItems", 0), 2);
+        EXPECT_EQ(property.value("maxItems", 0), 2);
+        break;
       case scene::Type::axes:
         EXPECT_EQ(property["items"]["enum"], json({"x", "y"}));
         break;

@@ -61,13 +61,26 @@ struct ScriptLine {
   Command command;
 };
 
+/// A ball's flight as method `event` holds it: where, when and how fast it left its last impact.
+///
+/// Units: decimal numbers as text, since they may have more digits than a double keeps.
+struct SavedFlight {
+  std::string start;  ///< ticks of the clock of the continuation, counted from its present era
+  std::array<std::string, 2> position;
+  std::array<std::string, 2> velocity;
+  std::string spin;                 ///< empty where balls have none
+  std::optional<std::size_t> left;  ///< the fixed ball at which it began
+};
+
 /// Where a saved run stood; lets it go on bit for bit.
 struct Continuation {
-  double time = 0;          ///< simulated seconds
-  double clock = 0;         ///< frame clock, seconds
-  bool paused = false;      ///< the saved run stood still
-  double step_origin = 0;   ///< simulated time of step number 0 of the present step length
-  std::uint64_t steps = 0;  ///< whole steps taken since `step_origin`
+  double time = 0;                   ///< simulated seconds
+  double clock = 0;                  ///< frame clock, seconds
+  bool paused = false;               ///< the saved run stood still
+  double step_origin = 0;            ///< simulated time of step number 0 of the present step length
+  std::uint64_t steps = 0;           ///< whole steps taken since `step_origin`
+  std::optional<double> tick;        ///< of the clock of `event`, seconds: a power of two
+  std::vector<SavedFlight> flights;  ///< of method `event`: of each ball, in order
 };
 
 /// Everything a run is determined by, as plain data.

@@ -159,6 +159,45 @@ Fill take_fill(const Value& object) {
   return fill;
 }
 
+std::array<std::string, 2> decimals(const Value& object, std::string_view key) {
+  std::array<std::string, 2> result;
+  const Value* value = object.find(key);
+  if (value == nullptr || value->kind != Value::Kind::list || value->items().size() != 2) {
+    return result;
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (value->items()[k].kind == Value::Kind::text) result[k] = value->items()[k].text();
+  }
+  return result;
+}
+
+SavedFlight take_flight(const Value& object) {
+  SavedFlight flight;
+  take(object, "start", flight.start);
+  flight.position = decimals(object, "position");
+  flight.velocity = decimals(object, "velocity");
+  take(object, "spin", flight.spin);
+  if (const Value* left = object.find("left")) flight.left = whole(*left);
+  return flight;
+}
+
+Continuation take_continuation(const Value& object) {
+  Continuation continuation;
+  take(object, "time", continuation.time);
+  take(object, "clock", continuation.clock);
+  take(object, "paused", continuation.paused);
+  take(object, "step_origin", continuation.step_origin);
+  take(object, "steps", continuation.steps);
+  if (const Value* tick = object.find("tick")) continuation.tick = number(*tick);
+  const Value* flights = object.find("flights");
+  if (flights != nullptr && flights->kind == Value::Kind::list) {
+    for (const Value& flight : flights->items()) {
+      continuation.flights.push_back(take_flight(flight));
+    }
+  }
+  return continuation;
+}
+
 void take_solver(const Value& root, SolverChoice& solver) {
   const Value* object = root.find("solver");
   if (object == nullptr) return;
@@ -260,12 +299,7 @@ Draft draft_from_tree(const Value& root) {
   take(root, "frame_rate", scene.frame_rate);
   take_script(root, draft);
   if (const Value* object = root.find("continuation")) {
-    Continuation& continuation = scene.continuation.emplace();
-    take(*object, "time", continuation.time);
-    take(*object, "clock", continuation.clock);
-    take(*object, "paused", continuation.paused);
-    take(*object, "step_origin", continuation.step_origin);
-    take(*object, "steps", continuation.steps);
+    scene.continuation = take_continuation(*object);
   }
   return draft;
 }

@@ -128,6 +128,34 @@ void judge_workers(const Scene& scene, Verdict& verdict) {
   }
 }
 
+/// Flights belong to the balls of the scene, one by one, and to a clock.
+void judge_flights(const Scene& scene, Verdict& verdict) {
+  const Continuation& continuation = *scene.continuation;
+  int exponent = 0;
+  if (continuation.tick &&
+      (!(*continuation.tick > 0) || std::frexp(*continuation.tick, &exponent) != 0.5)) {
+    verdict.add("/continuation/tick",
+                fmt::format("must be a power of two, got {:g}", *continuation.tick));
+  }
+  if (continuation.flights.empty()) return;
+  if (!continuation.tick) {
+    verdict.add("/continuation/tick", "is missing: flights need it");
+  }
+  const std::size_t balls = scene.balls.size();
+  if (continuation.flights.size() != balls) {
+    verdict.add("/continuation/flights", fmt::format("must be one for each of the {} balls, got {}",
+                                                     balls, continuation.flights.size()));
+    return;
+  }
+  for (std::size_t i = 0; i < balls; ++i) {
+    const auto& left = continuation.flights[i].left;
+    if (left && (*left >= balls || !scene.balls[*left].fixed)) {
+      verdict.add(fmt::format("/continuation/flights/{}/left", i),
+                  fmt::format("must be the number of a fixed ball, got {}", *left));
+    }
+  }
+}
+
 void judge_continuation(const Scene& scene, Verdict& verdict) {
   if (!scene.continuation) return;
   const Continuation& continuation = *scene.continuation;
@@ -138,6 +166,7 @@ void judge_continuation(const Scene& scene, Verdict& verdict) {
     verdict.add("/continuation/steps",
                 fmt::format("must be at most {:g}, got {}", kMostSteps, continuation.steps));
   }
+  judge_flights(scene, verdict);
   if (!scene.fills.empty()) {
     verdict.add("/fill", "cannot stand beside \"continuation\": a saved scene lists all its balls");
   }

@@ -112,9 +112,23 @@ constexpr Group kResume{"the command \"resume\"", kScriptLineKeys};
 constexpr Group kSet{"the command \"set\"", kSetKeys};
 constexpr Group kQuit{"the command \"quit\"", kScriptLineKeys};
 
+constexpr std::array kFlightKeys{
+    Key{"start", Type::decimal, true, nullptr, {}, "\"-1234\""},
+    Key{"position", Type::decimal_pair, true, nullptr, {}, R"(["3", "5"])"},
+    Key{"velocity", Type::decimal_pair, true, nullptr, {}, R"(["1", "0"])"},
+    Key{"spin", Type::decimal},
+    Key{"left", Type::whole},
+};
+constexpr Group kFlight{"a flight", kFlightKeys};
+
 constexpr std::array kContinuationKeys{
-    Key{"time", Type::number},        Key{"clock", Type::number}, Key{"paused", Type::flag},
-    Key{"step_origin", Type::number}, Key{"steps", Type::whole},
+    Key{"time", Type::number},
+    Key{"clock", Type::number},
+    Key{"paused", Type::flag},
+    Key{"step_origin", Type::number},
+    Key{"steps", Type::whole},
+    Key{"tick", Type::number},
+    Key{"flights", Type::list, false, &kFlight},
 };
 constexpr Group kContinuation{"a continuation", kContinuationKeys};
 

@@ -12,12 +12,14 @@ enum class Type {
   glyph,         ///< one printable ASCII character
   flag,
   number,
-  whole,    ///< a whole number from 0 on
-  pair,     ///< [x, y]
-  corners,  ///< [[x, y], [x, y]]
-  axes,     ///< a list of "x" and "y"
-  choice,   ///< one of some words
-  workers,  ///< "per-ball" or a whole number
+  whole,         ///< a whole number from 0 on
+  pair,          ///< [x, y]
+  decimal,       ///< a text that holds a decimal number, of any length
+  decimal_pair,  ///< [x, y] of such texts
+  corners,       ///< [[x, y], [x, y]]
+  axes,          ///< a list of "x" and "y"
+  choice,        ///< one of some words
+  workers,       ///< "per-ball" or a whole number
   object,
   list,  ///< of objects
 };

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numeric>
 
@@ -50,6 +51,15 @@ std::string_view nearest_key(std::string_view unknown, const Group& group) {
     }
   }
   return nearest;
+}
+
+/// As JSON writes numbers, with at most as many digits as any scalar has, and no absurd exponent.
+bool is_decimal(const std::string& text) {
+  constexpr std::size_t kLongest = 200;
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return text.size() <= kLongest && error == std::errc() && stop == end && std::isfinite(value);
 }
 
 class Shape {
@@ -122,6 +132,10 @@ class Shape {
         return check_whole(value, place, "must be a whole number from 0 on");
       case Type::pair:
         return check_pair(value, place);
+      case Type::decimal:
+        return check_decimal(value, place);
+      case Type::decimal_pair:
+        return check_decimal_pair(value, place);
       case Type::corners:
         return check_corners(value, place);
       case Type::axes:
@@ -159,6 +173,21 @@ class Shape {
       if (!value.items()[i].is_number()) {
         wrong(value.items()[i], fmt::format("{}/{}", place, i), "must be a number");
       }
+    }
+  }
+
+  void check_decimal(const Value& value, const std::string& place) {
+    if (value.kind != Value::Kind::text || !is_decimal(value.text())) {
+      wrong(value, place, "must be a decimal number in quotes");
+    }
+  }
+
+  void check_decimal_pair(const Value& value, const std::string& place) {
+    if (value.kind != Value::Kind::list || value.items().size() != 2) {
+      return wrong(value, place, R"(must be two decimal numbers in quotes, ["x", "y"])");
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      check_decimal(value.items()[i], fmt::format("{}/{}", place, i));
     }
   }
 

@@ -163,16 +163,6 @@ std::string script_line(const ScriptLine& entry) {
   return line.take();
 }
 
-std::string continuation(const Continuation& continuation) {
-  return Line()
-      .put("time", number(continuation.time))
-      .put("clock", number(continuation.clock))
-      .put("paused", continuation.paused ? "true" : "false")
-      .put("step_origin", number(continuation.step_origin))
-      .put("steps", fmt::format("{}", continuation.steps))
-      .take();
-}
-
 /// A list of things, one on a line.
 template <class Thing, class Write>
 std::string list(const std::vector<Thing>& things, Write write) {
@@ -182,6 +172,32 @@ std::string list(const std::vector<Thing>& things, Write write) {
     lines += write(things[i]);
   }
   return lines + "\n  ]";
+}
+
+std::string flight(const SavedFlight& flight) {
+  const auto two = [](const std::array<std::string, 2>& numbers) {
+    return fmt::format("[{}, {}]", text(numbers[0]), text(numbers[1]));
+  };
+  Line line;
+  line.put("start", text(flight.start));
+  line.put("position", two(flight.position)).put("velocity", two(flight.velocity));
+  if (!flight.spin.empty()) line.put("spin", text(flight.spin));
+  if (flight.left) line.put("left", fmt::format("{}", *flight.left));
+  return line.take();
+}
+
+std::string continuation(const Continuation& continuation) {
+  Line line;
+  line.put("time", number(continuation.time))
+      .put("clock", number(continuation.clock))
+      .put("paused", continuation.paused ? "true" : "false")
+      .put("step_origin", number(continuation.step_origin))
+      .put("steps", fmt::format("{}", continuation.steps));
+  if (continuation.tick) line.put("tick", number(*continuation.tick));
+  if (!continuation.flights.empty()) {
+    line.put("flights", list(continuation.flights, flight));
+  }
+  return line.take();
 }
 
 }  // namespace

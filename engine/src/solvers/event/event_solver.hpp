@@ -50,6 +50,8 @@ class EventSolver final : public Solver {
   void advance();
   void land();
   void start();
+  void take_flights(const Scene& scene);
+  void refuse_other_places(const Scene& scene) const;
   void sort_by_place();
 
   Domain domain_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +9,9 @@
 #include <numeric>
 #include <utility>
 
+#include "carom/scene_file.hpp"
 #include "solvers/event/event_solver.hpp"
+#include "solvers/event/saved_flight.hpp"
 #include "state/balls.hpp"
 #include "state/totals.hpp"
 
@@ -17,6 +21,8 @@ namespace event {
 inline constexpr double kRoomForSpeed = 4;  // of the light balls of a mixture, in thermal speeds
 inline constexpr std::size_t kManyBalls = 4000;   // from here on their order in memory matters
 inline constexpr std::uint64_t kSortAfter = 100;  // impacts of each ball
+
+inline constexpr double kSamePlace = 0x1p-30;  // of the box: more than rounding can move a ball
 
 inline std::array<double, 2> gravity_of(const Effects& effects) {
   if (!effects.gravity) return {0, 0};
@@ -37,9 +43,16 @@ EventSolver<P>::EventSolver(const Scene& scene, std::vector<Ball> balls)
     }
     if (ball.fixed) ball.velocity = {0, 0};
   }
-  scale_ = fitting_scale();
+  const bool goes_on = scene.continuation && !scene.continuation->flights.empty();
+  scale_ = goes_on ? P::Clock::of_tick(*scene.continuation->tick) : fitting_scale();
   if (scene.continuation) now_ = moment(scene.continuation->time);
   target_ = now_;
+  if (goes_on) {
+    take_flights(scene);
+    start();
+    refuse_other_places(scene);
+    return;
+  }
   for (const Ball& ball : balls_) {
     Disk disk;
     disk.x = ball.position.x();
@@ -50,6 +63,48 @@ EventSolver<P>::EventSolver(const Scene& scene, std::vector<Ball> balls)
     flights_.push_back(disk);
   }
   start();
+}
+
+template <class P>
+void EventSolver<P>::take_flights(const Scene& scene) {
+  const std::vector<SavedFlight>& flights = scene.continuation->flights;
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    flights_.push_back(event::restored<P>(flights[i]));
+    const auto& left = flights[i].left;
+    left_.push_back(left ? static_cast<event::Index>(*left) : event::kUnknown);
+    const auto& start = flights_.back().start;
+    const auto earliest = -P::Clock::longest_flight();
+    if (balls_[i].fixed || (start <= now_.ticks && start >= earliest)) continue;
+    throw SceneError(scene.source, {{fmt::format("/continuation/flights/{}/start", i),
+                                     fmt::format("must be from {} to {}, the present of its clock, "
+                                                 "got {}",
+                                                 event::text_of(earliest),
+                                                 event::text_of(now_.ticks), flights[i].start)}});
+  }
+}
+
+// A ball may have been moved by hand: its flight would win without a word.
+template <class P>
+void EventSolver<P>::refuse_other_places(const Scene& scene) const {
+  const std::vector<Ball> balls = state();
+  const event::Motion<P>& motion = tile_->motion();
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const Vec2& said = scene.balls[i].position;
+    const Vec2& is = balls[i].position;
+    const event::Vec<S> off = motion.way({S(said.x()), S(said.y())}, {S(is.x()), S(is.y())});
+    const double width = domain_.upper[0] - domain_.lower[0];
+    const double height = domain_.upper[1] - domain_.lower[1];
+    if (event::absolute(off.x) <= event::kSamePlace * width &&
+        event::absolute(off.y) <= event::kSamePlace * height) {
+      continue;
+    }
+    throw SceneError(
+        scene.source,
+        {{fmt::format("/balls/{}/position", i),
+          fmt::format("is not where /continuation/flights/{} has the ball, ({}, {}): leave "
+                      "\"flights\" out to go on from the positions",
+                      i, is.x(), is.y())}});
+  }
 }
 
 template <class P>
@@ -290,7 +345,17 @@ void EventSolver<P>::count(Measurements& measurements) const {
 
 template <class P>
 void EventSolver<P>::save(Scene& scene) const {
+  Continuation& continuation = *scene.continuation;
   scene.solver.method = Method::event;
+  continuation.step_origin = continuation.time;
+  continuation.tick = static_cast<double>(scale_.tick());
+  std::vector<std::size_t> number(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = i;
+  for (const event::Index slot : slot_) {
+    continuation.flights.push_back(event::saved<P>(tile_->disks()[slot]));
+    const event::Index left = tile_->left(slot);
+    if (left != event::kUnknown) continuation.flights.back().left = number[left];
+  }
 }
 
 }  // namespace carom

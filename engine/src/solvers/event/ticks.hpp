@@ -45,6 +45,14 @@ class Clock<double> {
   explicit Clock(double crossing)
       : tick_(std::ldexp(1.0, std::ilogb(crossing) - kBits)), per_second_(1 / tick_) {}
 
+  /// REQUIRES: a power of two.
+  static Clock of_tick(double tick) {
+    Clock clock;
+    clock.tick_ = tick;
+    clock.per_second_ = 1 / tick;
+    return clock;
+  }
+
   [[nodiscard]] double seconds(Time ticks) const { return static_cast<double>(ticks) * tick_; }
   /// Rounded down; never() where no flight lasts that long.  REQUIRES: not negative.
   [[nodiscard]] Time ticks(double seconds) const {
