@@ -253,6 +253,9 @@ Measurements Simulation::measure() const {
 std::vector<Ball> Simulation::state() const {
   return implementation_->solver().state();
 }
+std::vector<ExactPosition> Simulation::exact_positions() const {
+  return implementation_->solver().exact_positions();
+}
 std::string Simulation::state_hash() const {
   return implementation_->solver().state_hash();
 }

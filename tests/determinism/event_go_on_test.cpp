@@ -19,6 +19,14 @@ const char* const kScenes[] = {
                   {"position": [4, -3], "radius": 0.75, "fixed": true}],
         "fill": [{"count": 20, "radius": 0.3, "temperature": 1, "region": [[-10, 0], [10, 5]]}],
         "seed": 7})",
+    R"({"box": {"width": 20, "height": 10, "origin": "center"},
+        "effects": {"walls": {}, "collisions": {}, "gravity": [0, -3], "drag": {"rate": 0.2}},
+        "balls": [{"position": [-5, -2], "radius": 1, "fixed": true}],
+        "fill": [{"count": 20, "radius": 0.3, "temperature": 1, "region": [[-10, 0], [10, 5]]}],
+        "seed": 7})",
+    R"({"box": {"width": 20, "height": 10, "periodic": ["x"]},
+        "effects": {"walls": {}, "collisions": {}}, "solver": {"digits": 34},
+        "fill": [{"count": 20, "radius": 0.3, "temperature": 2}], "seed": 8})",
 };
 
 std::string hash_at(const Scene& scene, double time) {

@@ -2,26 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "carom/scene_file.hpp"
+#include "hard/reference_scene.hpp"
 #include "solvers/event/make_event_solver.hpp"
 
 namespace carom {
 namespace {
 
-using nlohmann::json;
-
-json reference(const std::string& name) {
-  std::ifstream in(std::filesystem::path(CAROM_SOURCE_DIR) / "tests/hard/reference" /
-                   (name + ".json"));
-  return json::parse(in);
-}
-
-double number(const json& text) {
+double number(const nlohmann::json& text) {
   return std::stod(text.get<std::string>());
 }
 
@@ -39,12 +28,9 @@ class EventReference : public testing::TestWithParam<const char*> {};
 // The scenes' exact ends come from 100-digit arithmetic by an independent program; `condition` is
 // how much the flow amplifies a small change of the start.
 TEST_P(EventReference, ends_within_the_rounding_its_condition_allows_after_as_many_impacts) {
-  const json file = reference(GetParam());
-  const Scene scene = parse_scene(file["scene"].dump(), GetParam());
-  const json& expected = file["expected"];
-  const double time = file["time"].get<double>();
-  const double size = std::max(scene.box.width, scene.box.height);
-  const double allowed = 64 * file["condition"].get<double>() * 0x1p-53 * size;
+  const test::ReferenceScene reference = test::reference_scene(GetParam());
+  const auto& [scene, time, condition, expected] = reference;
+  const double allowed = 64 * condition * 0x1p-53 * reference.size();
 
   const auto solver = make_event_solver(scene, populate(scene));
   run(*solver, time, 1);
@@ -55,7 +41,7 @@ TEST_P(EventReference, ends_within_the_rounding_its_condition_allows_after_as_ma
   const std::vector<Ball> end = solver->state();
   double worst = 0;
   for (std::size_t i = 0; i < end.size(); ++i) {
-    const json& ball = expected["balls"][i];
+    const nlohmann::json& ball = expected["balls"][i];
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
       const auto k = static_cast<std::size_t>(axis);
       double off = end[i].position[axis] - number(ball["position"][k]);
@@ -73,7 +59,8 @@ TEST_P(EventReference, ends_within_the_rounding_its_condition_allows_after_as_ma
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EventReference,
                          testing::Values("gas", "channel", "mixture", "open", "ideal", "periodic",
-                                         "gravity", "pegs", "pegs-and-gravity", "inelastic"));
+                                         "gravity", "pegs", "pegs-and-gravity", "inelastic", "drag",
+                                         "drag-and-gravity"));
 
 }  // namespace
 }  // namespace carom

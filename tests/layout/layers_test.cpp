@@ -28,7 +28,7 @@ const std::vector<Layer> kLayers{
     {"engine/src/contact/", {"carom/", "state/", "contact/", "Eigen/"}},
     {"engine/src/effects/", {"carom/", "state/", "contact/", "effects/", "Eigen/"}},
     {"engine/src/solvers/",
-     {"carom/", "state/", "contact/", "effects/", "solvers/", "Eigen/", "fmt/"}},
+     {"carom/", "state/", "contact/", "effects/", "solvers/", "Eigen/", "fmt/", "boost/"}},
     {"engine/src/crew/",
      {"carom/barrier.hpp", "carom/crew.hpp", "carom/measurements.hpp", "crew/", "fmt/"}},
     {"engine/src/scene/", {"carom/", "scene/", "Eigen/", "fmt/", "nlohmann/"}},

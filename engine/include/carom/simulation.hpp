@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "carom/command.hpp"
+#include "carom/exact_position.hpp"
 #include "carom/frame.hpp"
 #include "carom/measurements.hpp"
 #include "carom/scene.hpp"
@@ -49,6 +50,8 @@ class Simulation {
   [[nodiscard]] Measurements measure() const;
   /// The balls as they are now, in the order of the scene's balls, its fills, and later additions.
   [[nodiscard]] std::vector<Ball> state() const;
+  /// Where they are to the last digit that is computed: `state` rounds to double.
+  [[nodiscard]] std::vector<ExactPosition> exact_positions() const;
   /// Hexadecimal digest of the exact bits of the state.
   [[nodiscard]] std::string state_hash() const;
   /// The present state as a scene that goes on bit for bit; without script and frame clock.

@@ -32,6 +32,7 @@ struct StraightLaw {
     return {f.velocity.x * elapsed, f.velocity.y * elapsed};
   }
   Vec<S> velocity_change(const Flight<S>&, const S&) const { return {S(0), S(0)}; }
+  Vec<S> velocity(const Flight<S>& f, const S&) const { return f.velocity; }
   const S& when(const S& straight) const { return straight; }
   S wall_wait(std::size_t, int, const S& h, const S& v) const { return wall_time(h, v); }
   S wall_arrival(std::size_t, int, const S&, const S& v, const S&) const { return v; }
@@ -51,6 +52,9 @@ struct BallisticLaw {
   }
   Vec<S> velocity_change(const Flight<S>&, const S& elapsed) const {
     return {gravity.x * elapsed, gravity.y * elapsed};
+  }
+  Vec<S> velocity(const Flight<S>& f, const S& elapsed) const {
+    return f.velocity + velocity_change(f, elapsed);
   }
   const S& when(const S& straight) const { return straight; }
   S wall_wait(std::size_t axis, int side, const S& h, const S& v) const {
@@ -88,9 +92,8 @@ struct Relative {
 /// displacement is, which is exact for balls near each other.
 ///
 /// From here on two balls under the same law move straight relative to each other: under uniform
-/// acceleration in the time, under dv/dt = g - rate v in s = (1 - exp(-rate t)) / rate. So a law
-/// with drag brings displacement() and velocity_change() and turns the s of pair_time() into t =
-/// -log1p(-rate s) / rate (never, for rate s >= 1); the pair time itself stays as it is.
+/// acceleration in the time, under drag in the s of event_damped_law.hpp, which when() turns into
+/// time.
 template <class S, class Law>
 Relative<S> relative_at_later_start(const Law& law, const Flight<S>& earlier, const S& elapsed,
                                     const Flight<S>& later) {

@@ -49,8 +49,6 @@ constexpr std::array kUnavailable{
     Unavailable{"/effects/collisions/on", kEvent,
                 [](const Scene& s) { return s.effects.collisions && !s.effects.collisions->on; },
                 kNotForEvent},
-    Unavailable{"/effects/drag", kEvent, [](const Scene& s) { return s.effects.drag.has_value(); },
-                kNotForEvent},
     Unavailable{"/effects/friction", kEvent,
                 [](const Scene& s) { return s.effects.friction.has_value(); }, kNotForEvent},
     Unavailable{"/effects/attraction", kEvent,
@@ -60,12 +58,6 @@ constexpr std::array kUnavailable{
     Unavailable{"/solver/method", kEvent, short_periodic_axis,
                 "\"event\" needs periodic axes longer than four radii of the largest ball, use "
                 "\"overlap\""},
-    Unavailable{"/solver/digits", kEvent,
-                [](const Scene& s) {
-                  const int digits = s.solver.digits;
-                  return digits == 34 || digits == 50 || digits == 100;
-                },
-                "more than 16 is not available in this version, use 16"},
     Unavailable{"/solver/digits", kOverlap,
                 [](const Scene& s) {
                   const int digits = s.solver.digits;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "carom/crew.hpp"
+#include "carom/exact_position.hpp"
 #include "carom/measurements.hpp"
 #include "carom/scene.hpp"
 
@@ -34,6 +35,12 @@ class Solver {
 
   [[nodiscard]] virtual std::size_t balls() const = 0;
   [[nodiscard]] virtual std::vector<Ball> state() const = 0;
+  /// Where the balls are to the last digit that is computed; `state` rounds to double.
+  [[nodiscard]] virtual std::vector<ExactPosition> exact_positions() const {
+    std::vector<ExactPosition> result;
+    for (const Ball& ball : state()) result.push_back({{ball.position.x()}, {ball.position.y()}});
+    return result;
+  }
   [[nodiscard]] virtual std::string state_hash() const = 0;
   /// Kinetic and potential.
   [[nodiscard]] virtual double energy() const = 0;

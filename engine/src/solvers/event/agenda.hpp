@@ -97,7 +97,7 @@ class Agenda {
   void next_year(const Wanted& wanted) {
     year_end_ += static_cast<std::int64_t>(buckets_.size()) / 2;
     std::size_t kept = 0;
-    for (const Entry entry : far_) {
+    for (const Entry& entry : far_) {
       if (!wanted(entry)) continue;
       const std::int64_t number = Clock::steps(entry.time - origin_, shift_);
       if (number < year_end_) {

@@ -29,6 +29,7 @@ class EventSolver final : public Solver {
   void set_step(double) override {}
   [[nodiscard]] std::size_t balls() const override { return balls_.size(); }
   [[nodiscard]] std::vector<Ball> state() const override;
+  [[nodiscard]] std::vector<ExactPosition> exact_positions() const override;
   [[nodiscard]] std::string state_hash() const override;
   [[nodiscard]] double energy() const override;
   [[nodiscard]] Vec2 momentum() const override;
@@ -45,6 +46,7 @@ class EventSolver final : public Solver {
     typename P::Time ticks = 0;
   };
 
+  [[nodiscard]] Disk flight_of(const Ball& ball) const;
   [[nodiscard]] Moment moment(double seconds) const;
   [[nodiscard]] typename P::Clock fitting_scale() const;
   void advance();

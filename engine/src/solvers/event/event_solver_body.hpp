@@ -37,10 +37,6 @@ EventSolver<P>::EventSolver(const Scene& scene, std::vector<Ball> balls)
       effects_(scene.effects),
       balls_(std::move(balls)) {
   for (Ball& ball : balls_) {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      double& x = ball.position[static_cast<Eigen::Index>(axis)];
-      if (domain_.period[axis] > 0) x = domain_.wrapped(axis, x);
-    }
     if (ball.fixed) ball.velocity = {0, 0};
   }
   const bool goes_on = scene.continuation && !scene.continuation->flights.empty();
@@ -53,15 +49,7 @@ EventSolver<P>::EventSolver(const Scene& scene, std::vector<Ball> balls)
     refuse_other_places(scene);
     return;
   }
-  for (const Ball& ball : balls_) {
-    Disk disk;
-    disk.x = ball.position.x();
-    disk.y = ball.position.y();
-    disk.vx = ball.velocity.x();
-    disk.vy = ball.velocity.y();
-    disk.start = now_.ticks;
-    flights_.push_back(disk);
-  }
+  for (const Ball& ball : balls_) flights_.push_back(flight_of(ball));
   start();
 }
 
@@ -105,6 +93,18 @@ void EventSolver<P>::refuse_other_places(const Scene& scene) const {
                       "\"flights\" out to go on from the positions",
                       i, is.x(), is.y())}});
   }
+}
+
+template <class P>
+auto EventSolver<P>::flight_of(const Ball& ball) const -> Disk {
+  const event::Room<S> room(domain_);
+  Disk disk;
+  disk.x = room.wrapped(0, ball.position.x());
+  disk.y = room.wrapped(1, ball.position.y());
+  disk.vx = ball.fixed ? 0 : ball.velocity.x();
+  disk.vy = ball.fixed ? 0 : ball.velocity.y();
+  disk.start = now_.ticks;
+  return disk;
 }
 
 template <class P>
@@ -228,7 +228,8 @@ void EventSolver<P>::start() {
                              effects_.collisions.has_value(),
                              effects_.collisions ? effects_.collisions->restitution : 1,
                              effects_.walls ? effects_.walls->restitution : 1,
-                             {}};
+                             {},
+                             effects_.drag ? effects_.drag->rate : 0};
   sort_by_place();
   std::map<std::pair<S, S>, event::Index> kinds;
   std::vector<Disk> disks(balls_.size());
@@ -256,13 +257,7 @@ template <class P>
 void EventSolver<P>::add(const Ball& ball) {
   land();
   balls_.push_back(ball);
-  Disk disk;
-  disk.x = ball.position.x();
-  disk.y = ball.position.y();
-  disk.vx = ball.fixed ? 0 : ball.velocity.x();
-  disk.vy = ball.fixed ? 0 : ball.velocity.y();
-  disk.start = now_.ticks;
-  flights_.push_back(disk);
+  flights_.push_back(flight_of(ball));
   start();
 }
 
@@ -279,18 +274,19 @@ void EventSolver<P>::remove(std::size_t ball) {
   start();
 }
 
-// A new field bends the flights: they start anew where they are.
+// A new field or drag bends the flights: they start anew where they are.
 template <class P>
 void EventSolver<P>::set(const Effects& effects) {
   land();
   if (effects.walls) effects_.walls = effects.walls;
   if (effects.collisions) effects_.collisions = effects.collisions;
-  if (effects.gravity) {
+  if (effects.gravity || effects.drag) {
     for (Disk& disk : flights_) {
       if (disk.start != P::Clock::ever()) tile_->motion().carry(disk, now_.ticks);
     }
     std::fill(left_.begin(), left_.end(), event::kUnknown);
-    effects_.gravity = effects.gravity;
+    if (effects.gravity) effects_.gravity = effects.gravity;
+    if (effects.drag) effects_.drag = effects.drag;
   }
   start();
 }
@@ -312,6 +308,25 @@ std::vector<Ball> EventSolver<P>::state() const {
       x = std::clamp(x, domain_.lowest(axis, result[i].radius),
                      domain_.highest(axis, result[i].radius));
     }
+  }
+  return result;
+}
+
+template <class P>
+std::vector<ExactPosition> EventSolver<P>::exact_positions() const {
+  const auto parts = [](S rest) {
+    std::vector<double> result;
+    do {
+      result.push_back(static_cast<double>(rest));
+      rest -= result.back();
+    } while (rest != 0);
+    return result;
+  };
+  const event::Motion<P>& motion = tile_->motion();
+  std::vector<ExactPosition> result(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    const auto at = motion.wrapped(motion.place(tile_->disks()[slot_[i]], now_.ticks));
+    result[i] = {parts(at.x), parts(at.y)};
   }
   return result;
 }

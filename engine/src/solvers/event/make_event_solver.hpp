@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -10,5 +11,8 @@ namespace carom {
 
 /// The exact method, compiled for the flights and the digits that the scene asks for.
 std::unique_ptr<Solver> make_event_solver(const Scene& scene, std::vector<Ball> balls);
+
+/// Memory of one ball's flight.
+std::size_t event_flight_bytes(int digits);
 
 }  // namespace carom

@@ -43,7 +43,7 @@ auto Motion<P>::velocity(const Disk& disk, At now) const -> Vec<S> {
   if constexpr (P::Law::kBends) {
     if (!fixed(disk)) {
       const S elapsed = rules_.scale.seconds(now - disk.start);
-      return Vec<S>{disk.vx, disk.vy} + law_.velocity_change(flight(disk), elapsed);
+      return law_.velocity(flight(disk), elapsed);
     }
   }
   return {disk.vx, disk.vy};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/event_any_law.hpp"
 #include "contact/event_flight.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/rules.hpp"
@@ -22,12 +23,22 @@ struct Physics {
 
  private:
   static Law law_of(const BasicRules<S>&, StraightLaw<S>*) { return {}; }
-  static Law law_of(const BasicRules<S>& rules, BallisticLaw<S>*) {
-    return {{S(rules.gravity[0]), S(rules.gravity[1])}};
+  static Law law_of(const BasicRules<S>& rules, BallisticLaw<S>*) { return {gravity(rules)}; }
+  static Law law_of(const BasicRules<S>& rules, DampedLaw<S>*) {
+    return {gravity(rules), S(rules.drag_rate)};
+  }
+  static Law law_of(const BasicRules<S>& rules, AnyLaw<S>*) {
+    return {gravity(rules), S(rules.drag_rate)};
+  }
+
+  static Vec<S> gravity(const BasicRules<S>& rules) {
+    return {S(rules.gravity[0]), S(rules.gravity[1])};
   }
 };
 
+/// In double, the fastest: a law for each scene.
 using Free = Physics<double, StraightLaw>;
 using Falling = Physics<double, BallisticLaw>;
+using Damped = Physics<double, DampedLaw>;
 
 }  // namespace carom::event

@@ -27,6 +27,7 @@ struct BasicRules {
   double restitution = 1;
   double wall_restitution = 1;
   std::vector<BasicKind<S>> kinds{BasicKind<S>{}};
+  double drag_rate = 0;
 };
 
 using Kind = BasicKind<double>;

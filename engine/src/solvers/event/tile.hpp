@@ -89,7 +89,7 @@ class Tile {
   /// What of `others` the ball meets before `best`.
   void look_at(Index i, const Index* others, std::uint32_t count, At now, Meeting<P>& best) const;
   void look_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
-                     Meeting<P>& best) const;
+                     Meeting<P>& best) const requires kIsDouble<S>;
   void look_singly(Index i, Index other, At now, Meeting<P>& best) const;
   void look_at_peg(Index i, Index peg, Meeting<P>& best) const;
   void link(Index i, const Meeting<P>& best);

@@ -80,7 +80,7 @@ void Tile<P>::meet(Index i, At now) {
   counts_ = counts;
   const auto take_back = [this](Index k, const Disk& flight) {
     unlink(k);
-    const Ticks leaves = disks_[k].leaves;
+    const Time leaves = disks_[k].leaves;
     disks_[k] = flight;
     disks_[k].leaves = leaves;
     forget(k);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solvers/event/flight_lanes.hpp"
 #include "solvers/event/pair_lanes.hpp"
 #include "solvers/event/tile.hpp"
 
@@ -7,7 +8,7 @@ namespace carom::event {
 
 template <class P>
 void Tile<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
-                            Meeting<P>& best) const {
+                            Meeting<P>& best) const requires kIsDouble<S> {
   const Disk& me = disks_[i];
   const auto& rules = motion_.rules();
   const Lanes zero{};
@@ -35,32 +36,17 @@ void Tile<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, A
     const WholeLanes later = mine ? none + me.start : start;
     const Lanes elapsed =
         __builtin_convertvector(mine ? since : -since, Lanes) * rules.scale.tick();
-    Lanes dx = x - me.x;
-    Lanes dy = y - me.y;
-    Lanes dvx = vx - me.vx;
-    Lanes dvy = vy - me.vy;
-    if constexpr (P::Law::kBends) {
-      const Lanes gx = zero + rules.gravity[0];
-      const Lanes gy = zero + rules.gravity[1];
-      const Lanes half = elapsed / 2;
-      const Lanes sx = fused(gx, half, mine ? vx : zero + me.vx) * elapsed;
-      const Lanes sy = fused(gy, half, mine ? vy : zero + me.vy) * elapsed;
-      dx = mine ? dx + sx : dx - sx;
-      dy = mine ? dy + sy : dy - sy;
-      dvx = mine ? dvx + gx * elapsed : dvx - gx * elapsed;
-      dvy = mine ? dvy + gy * elapsed : dvy - gy * elapsed;
-    } else {
-      dx = fused(mine ? vx : zero - me.vx, elapsed, dx);
-      dy = fused(mine ? vy : zero - me.vy, elapsed, dy);
-    }
-    dx = nearest(dx, zero + motion_.periods()[0], zero + motion_.periods()[0] / 2);
-    dy = nearest(dy, zero + motion_.periods()[1], zero + motion_.periods()[1] / 2);
+    RelativeLanes r =
+        relative(motion_.law(), {x, y, vx, vy, {me.x, me.y}, {me.vx, me.vy}, elapsed, mine});
+    r.dx = nearest(r.dx, zero + motion_.periods()[0], zero + motion_.periods()[0] / 2);
+    r.dy = nearest(r.dy, zero + motion_.periods()[1], zero + motion_.periods()[1] / 2);
     Lanes reach = zero + 2 * my_radius;
     if (!motion_.one_kind()) {
       reach = my_radius + Lanes{kind_of(disk[0]).radius, kind_of(disk[1]).radius,
                                 kind_of(disk[2]).radius, kind_of(disk[3]).radius};
     }
-    const Lanes wait = pair_times(dx, dy, dvx, dvy, reach) * rules.scale.per_second();
+    const Lanes wait =
+        when(motion_.law(), pair_times(r.dx, r.dy, r.dvx, r.dvy, reach)) * rules.scale.per_second();
     const Lanes longest = zero + static_cast<double>(kLongestFlight);
     WholeLanes at = later + __builtin_convertvector(wait < longest ? wait : zero, WholeLanes);
     at = at > now ? at : none + now;

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+
+#include "contact/event_damped_peg_time.hpp"
+#include "contact/event_damped_wall_time.hpp"
+#include "contact/event_damping.hpp"
+#include "contact/event_flight.hpp"
+
+namespace carom::event {
+
+/// dv/dt = gravity - rate v, the same for every ball; gravity may be zero, and so may the rate.
+template <class S>
+struct DampedLaw {
+  static constexpr bool kBends = true;
+  Vec<S> gravity;
+  S rate;
+
+  Vec<S> displacement(const Flight<S>& f, const S& elapsed) const {
+    const auto d = damping(S(rate * elapsed));
+    return {elapsed * multiply_add(S(gravity.x * elapsed), d.fall, S(f.velocity.x * d.way)),
+            elapsed * multiply_add(S(gravity.y * elapsed), d.fall, S(f.velocity.y * d.way))};
+  }
+  Vec<S> velocity(const Flight<S>& f, const S& elapsed) const {
+    const auto d = damping(S(rate * elapsed));
+    return {multiply_add(f.velocity.x, d.remaining, S(gravity.x * elapsed * d.way)),
+            multiply_add(f.velocity.y, d.remaining, S(gravity.y * elapsed * d.way))};
+  }
+  S when(const S& straight) const { return time_of_way(straight, rate); }
+  S wall_wait(std::size_t axis, int side, const S& h, const S& v) const {
+    return damped_wall_time(h, v, pull(axis, side), rate);
+  }
+  S wall_arrival(std::size_t axis, int side, const S& h, const S& v, const S& elapsed) const {
+    if (!(h > 0) && v < 0) return v;
+    const S arrival = DampedFall<S>{h, v, pull(axis, side), rate}.at(elapsed).slope;
+    return arrival < 0 ? arrival : S(0);
+  }
+  S peg_wait(const Vec<S>& r, const Vec<S>& v, const S& s, bool from_contact) const {
+    return damped_peg_time(r, v, gravity, s, rate, from_contact);
+  }
+  S acceleration(std::size_t axis) const { return absolute(axis == 0 ? gravity.x : gravity.y); }
+
+ private:
+  S pull(std::size_t axis, int side) const { return side * (axis == 0 ? gravity.x : gravity.y); }
+};
+
+/// The later starter as seen from the earlier one; from here on they move straight relative to
+/// each other in s = (1 - exp(-rate t)) / rate.
+template <class S>
+Relative<S> relative_at_later_start(const DampedLaw<S>& law, const Flight<S>& earlier,
+                                    const S& elapsed, const Flight<S>& later) {
+  return {(later.position - earlier.position) - law.displacement(earlier, elapsed),
+          later.velocity - law.velocity(earlier, elapsed)};
+}
+
+}  // namespace carom::event

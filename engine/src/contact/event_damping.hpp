@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cmath>
+
+#include "contact/event_scalar.hpp"
+
+namespace carom::event {
+
+/// What drag makes of a flight that has lasted x / rate: of its velocity, its way and its fall.
+///
+/// Holds: remaining = exp(-x), way = (1 - remaining) / x and fall = (1 - way) / x, at x = 0 their
+/// limits 1, 1 and 1/2: nothing is divided by the rate, so a rate of 0 is no special case.
+template <class S>
+struct Damping {
+  S remaining;
+  S way;
+  S fall;
+};
+
+/// Below this the series of `fall` is summed, in so many terms in double.
+inline constexpr double kDampingSeries = 0.5;
+inline constexpr int kDampingTerms = 15;
+/// From here on nothing remains, in double: products with less than exp(-512) = 2^-738 would lose
+/// digits at the lower end of its range, in one scale of lengths and not in another.
+inline constexpr double kDampingEnd = 512;
+
+/// 1 / (n + 2)!, the coefficients of `fall` in -x.
+struct DampingCoefficients {
+  double of[kDampingTerms];
+
+  constexpr DampingCoefficients() : of() {
+    double factorial = 2;
+    for (int n = 0; n < kDampingTerms; ++n) {
+      of[n] = 1 / factorial;
+      factorial *= n + 3;
+    }
+  }
+};
+inline constexpr DampingCoefficients kDampingCoefficients;
+
+/// Error: about 4 u of each of the three.  REQUIRES: x >= 0.
+template <class S>
+Damping<S> damping(const S& x) {
+  using std::exp;
+  if (!(x < kDampingSeries)) {
+    const bool stopped = kIsDouble<S> && !(x < kDampingEnd);
+    const S remaining = stopped ? S(0) : S(exp(S(-x)));
+    const S way = (1 - remaining) / x;
+    return {remaining, way, (1 - way) / x};
+  }
+  S fall = 0;
+  if constexpr (kIsDouble<S>) {
+    fall = kDampingCoefficients.of[kDampingTerms - 1];
+    for (int n = kDampingTerms - 2; n >= 0; --n) {
+      fall = std::fma(-x, fall, kDampingCoefficients.of[n]);
+    }
+  } else {
+    S term = S(1) / 2;
+    for (int n = 3; absolute(term) > std::numeric_limits<S>::epsilon() / 4; ++n) {
+      fall += term;
+      term = -term * x / n;
+    }
+  }
+  const S way = multiply_add(S(-x), fall, S(1));
+  return {multiply_add(S(-x), way, S(1)), way, fall};
+}
+
+/// log(1 + y) / y, 1 at y = 0.
+template <class S>
+S log_1p_over(const S& y) {
+  using std::log1p;
+  return y == 0 ? S(1) : S(log1p(y) / y);
+}
+
+/// In s = (1 - exp(-rate t)) / rate flights under drag are straight relative to each other; this
+/// gives the t that belongs to an s >= 0: never for rate s >= 1.
+template <class S>
+S time_of_way(const S& s, const S& rate) {
+  if (!(s < never<S>())) return s;
+  const S y = rate * s;
+  return y < 1 ? S(s * log_1p_over(S(-y))) : never<S>();
+}
+
+}  // namespace carom::event
