@@ -10,6 +10,7 @@
 #include "carom/scene_file.hpp"
 #include "scene/available.hpp"
 #include "solvers/event/make_event_solver.hpp"
+#include "solvers/integrated/integrated_solver.hpp"
 #include "solvers/overlap.hpp"
 #include "state/domain.hpp"
 
@@ -27,7 +28,11 @@ std::unique_ptr<Solver> make_solver(const Scene& scene, const std::vector<Ball>&
   if (!problems.empty()) {
     throw SceneError(scene.name.empty() ? "scene" : scene.name, std::move(problems));
   }
-  if (method == Method::event) return make_event_solver(scene, balls);
+  if (method == Method::event) {
+    // Attraction leaves no closed-form flight: it is integrated.
+    if (scene.effects.attraction) return std::make_unique<IntegratedSolver>(scene, balls);
+    return make_event_solver(scene, balls);
+  }
   return std::make_unique<OverlapSolver>(scene, balls);
 }
 
@@ -82,7 +87,7 @@ class Simulation::Implementation {
           "{} cannot be set: the scene does not name it among its effects", entry.name));
     });
     check_inside(set.effects);
-    if (method_ == Method::event &&
+    if (method_ == Method::event && !scene_.effects.attraction &&
         (switches_off(set.effects.walls) || switches_off(set.effects.collisions))) {
       throw CommandError("method event cannot switch off walls or collisions");
     }

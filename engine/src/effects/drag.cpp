@@ -22,7 +22,7 @@ double second_remainder(double z) {
 
 Glide slowed(double rate, double step, double acceleration) {
   const double z = rate * step;
-  const double reach = z > 0 ? -std::expm1(-z) / rate : step;
+  const double reach = z != 0 ? -std::expm1(-z) / rate : step;
   return {reach, std::exp(-z), acceleration * step * step * second_remainder(z),
           acceleration * reach};
 }

@@ -14,7 +14,13 @@ double largest_radius(const Scene& scene) {
   return radius;
 }
 
+// Attraction leaves no closed-form flight: there method `event` integrates, whatever else is named.
+bool flies_in_closed_form(const Scene& scene) {
+  return !scene.effects.attraction;
+}
+
 bool lossy(const Scene& scene) {
+  if (!flies_in_closed_form(scene)) return false;
   const Effects& effects = scene.effects;
   return (effects.walls && effects.walls->restitution < 1) ||
          (effects.collisions && effects.collisions->restitution < 1);
@@ -44,15 +50,19 @@ constexpr auto kNotForEvent =
 /// The one list of what a scene can name and a method cannot do.
 constexpr std::array kUnavailable{
     Unavailable{"/effects/walls/on", kEvent,
-                [](const Scene& s) { return s.effects.walls && !s.effects.walls->on; },
+                [](const Scene& s) {
+                  return flies_in_closed_form(s) && s.effects.walls && !s.effects.walls->on;
+                },
                 kNotForEvent},
     Unavailable{"/effects/collisions/on", kEvent,
-                [](const Scene& s) { return s.effects.collisions && !s.effects.collisions->on; },
+                [](const Scene& s) {
+                  return flies_in_closed_form(s) && s.effects.collisions &&
+                         !s.effects.collisions->on;
+                },
                 kNotForEvent},
     Unavailable{"/effects/friction", kEvent,
-                [](const Scene& s) { return s.effects.friction.has_value(); }, kNotForEvent},
-    Unavailable{"/effects/attraction", kEvent,
-                [](const Scene& s) { return s.effects.attraction.has_value(); }, kNotForEvent},
+                [](const Scene& s) { return flies_in_closed_form(s) && s.effects.friction; },
+                kNotForEvent},
     Unavailable{"/solver/method", kEvent, lossy,
                 "\"event\" cannot take a restitution below 1 in this version, use \"overlap\""},
     Unavailable{"/solver/method", kEvent, short_periodic_axis,
