@@ -15,6 +15,16 @@ namespace {
 
 constexpr std::uint64_t kSampling = 31;  // one step in so many has its effects timed
 
+LineOfCentres line_between(const effects::Member& a, const effects::Member& b,
+                           const Domain& domain) {
+  Vec2 r = b.position - a.position;
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    const double period = domain.period[static_cast<std::size_t>(k)];
+    if (period > 0) r[k] = nearest_image(r[k], period);
+  }
+  return line_of_centres(r, b.velocity - a.velocity);
+}
+
 }  // namespace
 
 IntegratedSolver::IntegratedSolver(const Scene& scene, const std::vector<Ball>& balls)
@@ -101,7 +111,12 @@ std::size_t IntegratedSolver::begin_step(double length) {
   }
   resting_.clear();
   struck_.clear();
-  return next_part();
+  if (state_.pull_known) {
+    find_resting();
+    return next_part();
+  }
+  stage_ = kPullOnly;
+  return kFly;
 }
 
 std::size_t IntegratedSolver::next_part() {
@@ -136,6 +151,11 @@ std::size_t IntegratedSolver::begin_piece(double length) {
 }
 
 std::size_t IntegratedSolver::after_stage() {
+  if (stage_ == kPullOnly) {
+    state_.pull_known = true;
+    find_resting();
+    return next_part();
+  }
   if (stage_ < Nystrom::kStages) {
     std::swap(state_.balls.position, next_);
     ++stage_;
@@ -155,6 +175,11 @@ std::size_t IntegratedSolver::after_search() {
   for (const Find& find : finds_) {
     if (find.first.before(first)) first = find.first;
   }
+  for (const Find& find : finds_) {
+    for (const Meeting& slow : find.slow) {
+      if (slow.before(first)) resting_.push_back(slow);
+    }
+  }
   if (first.at > 1) return next_part();
   const double length = first.at * piece_;
   back_to_start();
@@ -171,7 +196,7 @@ std::size_t IntegratedSolver::go_on_after_impact() {
 }
 
 std::size_t IntegratedSolver::end_step() {
-  for (const Meeting& meeting : resting_) settle(meeting);
+  settle();
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (domain_.period[axis] == 0) continue;
     for (std::size_t i = 0; i < balls(); ++i) {
@@ -208,6 +233,11 @@ void IntegratedSolver::fly(Share share) {
   Balls& balls = state_.balls;
   const std::size_t begin = share.begin(balls.size());
   const std::size_t end = share.end(balls.size());
+  if (stage_ == kPullOnly) {
+    const Stopwatch stopwatch(timed(), find.seconds.of<Attraction>());
+    effects::attract(balls, domain_, *effects_.attraction, begin, end);
+    return;
+  }
   const Stage& stage = stages_[stage_];
   {
     const Stopwatch stopwatch(timed(), find.seconds.of<Attraction>());
@@ -287,11 +317,17 @@ void IntegratedSolver::draw_paths(std::size_t begin, std::size_t end) {
 void IntegratedSolver::search(Share share) {
   Find& find = finds_[share.index];
   find.first = {};
+  find.slow.clear();
   const auto n = static_cast<std::uint32_t>(balls());
   const auto look = [&](std::uint32_t i, std::uint32_t j, const std::optional<double>& at) {
     if (!at) return;
     const Meeting meeting{*at, i, j};
-    if (meeting.before(find.first) && !rests(meeting)) find.first = meeting;
+    if (!meeting.before(find.first) || rests(meeting)) return;
+    if (is_slow(meeting)) {
+      find.slow.push_back(meeting);
+    } else {
+      find.first = meeting;
+    }
   };
   if (domain_.solid(0) || domain_.solid(1)) {
     const Stopwatch stopwatch(timed(), find.seconds.of<Walls>());
@@ -393,8 +429,38 @@ bool IntegratedSolver::rests(const Meeting& meeting) const {
                      [&](const Meeting& other) { return other.who() == meeting.who(); });
 }
 
+double IntegratedSolver::rest_speed(std::uint32_t i, std::uint32_t j) const {
+  const double size = acceleration(i).norm() + (i == j ? 0 : acceleration(j).norm());
+  return effects::rest_speed(size, step_, 0);
+}
+
+// As fast as they were when the piece began, or are when it ends: whichever is more.
+bool IntegratedSolver::is_slow(const Meeting& meeting) const {
+  const Balls& balls = state_.balls;
+  if (meeting.with_wall()) {
+    if (effects_.walls->restitution == 1) return false;
+    const std::size_t axis = (meeting.j - Meeting::kWall) / 2;
+    const Eigen::Index k = Balls::index(meeting.i);
+    const double speed =
+        std::max(std::abs(start_velocity_[axis][k]), std::abs(balls.velocity[axis][k]));
+    return speed <= rest_speed(meeting.i, meeting.i);
+  }
+  if (effects_.collisions->restitution == 1) return false;
+  const Eigen::Index a = Balls::index(meeting.i);
+  const Eigen::Index b = Balls::index(meeting.j);
+  double before = 0;
+  double after = 0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double v0 = start_velocity_[axis][b] - start_velocity_[axis][a];
+    const double v1 = balls.velocity[axis][b] - balls.velocity[axis][a];
+    before += v0 * v0;
+    after += v1 * v1;
+  }
+  return std::sqrt(std::max(before, after)) <= rest_speed(meeting.i, meeting.j);
+}
+
 bool IntegratedSolver::too_often(const Meeting& meeting) {
-  constexpr std::ptrdiff_t kOften = 64;
+  constexpr std::ptrdiff_t kOften = 16;
   struck_.push_back(meeting.who());
   return std::count(struck_.begin(), struck_.end(), meeting.who()) > kOften;
 }
@@ -408,20 +474,6 @@ void IntegratedSolver::strike(const Meeting& meeting) {
   }
 }
 
-namespace {
-
-LineOfCentres line_between(const effects::Member& a, const effects::Member& b,
-                           const Domain& domain) {
-  Vec2 r = b.position - a.position;
-  for (Eigen::Index k = 0; k < 2; ++k) {
-    const double period = domain.period[static_cast<std::size_t>(k)];
-    if (period > 0) r[k] = nearest_image(r[k], period);
-  }
-  return line_of_centres(r, b.velocity - a.velocity);
-}
-
-}  // namespace
-
 void IntegratedSolver::strike_balls(const Meeting& meeting) {
   effects::Member a = member(meeting.i);
   effects::Member b = member(meeting.j);
@@ -432,8 +484,8 @@ void IntegratedSolver::strike_balls(const Meeting& meeting) {
     return;
   }
   const double restitution = effects_.collisions->restitution;
-  const double pull = (acceleration(meeting.j) - acceleration(meeting.i)).dot(line.r);
-  const bool bounces = -closing > effects::rest_speed(pull, step_, restitution);
+  const bool bounces =
+      restitution == 1 || -closing > line.length * rest_speed(meeting.i, meeting.j);
   if (!bounces) resting_.push_back(meeting);
   const double inverse_masses = a.inverse_mass + b.inverse_mass;
   const double j = impulse(closing, line.square, inverse_masses, bounces ? restitution : 0);
@@ -442,7 +494,13 @@ void IntegratedSolver::strike_balls(const Meeting& meeting) {
   if (effects_.friction && effects_.friction->balls > 0) {
     effects::rub(a, b, line, j * line.length, effects_.friction->balls);
   }
-  if (bounces) ++state_.ball_ball;
+  if (bounces) {
+    ++state_.ball_ball;
+    // What rested against one of the two may be hit now.
+    std::erase_if(resting_, [&](const Meeting& other) {
+      return other.i == a.ball || other.i == b.ball || other.j == a.ball || other.j == b.ball;
+    });
+  }
   const double depth = a.radius + b.radius - line.distance;
   state_.deepest = std::max(state_.deepest, depth / std::min(a.radius, b.radius));
   put_back(a);
@@ -462,8 +520,7 @@ void IntegratedSolver::strike_wall(const Meeting& meeting) {
     resting_.push_back(meeting);
   } else {
     const double restitution = effects_.walls->restitution;
-    const double pull = outwards * acceleration(meeting.i)[k];
-    const bool bounces = arrival > effects::rest_speed(pull, step_, restitution);
+    const bool bounces = restitution == 1 || arrival > rest_speed(meeting.i, meeting.i);
     if (!bounces) resting_.push_back(meeting);
     const double leaving = bounces ? restitution * arrival : 0;
     ball.velocity[k] = -outwards * leaving;
@@ -475,8 +532,67 @@ void IntegratedSolver::strike_wall(const Meeting& meeting) {
   put_back(ball);
 }
 
-// Stops what has pressed on since the two came to rest, and puts them side by side.
-void IntegratedSolver::settle(const Meeting& meeting) {
+// The balls that rest on each other as the step begins.
+void IntegratedSolver::find_resting() {
+  constexpr double kClose = 1 + 0x1p-33;  // of the sum of the radii: put side by side, and rounding
+  const auto n = static_cast<std::uint32_t>(balls());
+  const Balls& balls = state_.balls;
+  if (collides() && effects_.collisions->restitution < 1) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      for (std::uint32_t j = i + 1; j < n; ++j) {
+        const Eigen::Index a = Balls::index(i);
+        const Eigen::Index b = Balls::index(j);
+        const double far = (balls.radius[a] + balls.radius[b]) * kClose;
+        double x = balls.position[0][b] - balls.position[0][a];
+        if (domain_.period[0] > 0) x = nearest_image(x, domain_.period[0]);
+        if (!(std::abs(x) < far) || (balls.fixed(i) && balls.fixed(j))) continue;
+        const effects::Member first = member(i);
+        const effects::Member second = member(j);
+        const LineOfCentres line = line_between(first, second, domain_);
+        if (!(line.distance < far)) continue;
+        const double closing = (second.velocity - first.velocity).dot(line.r);
+        if (std::abs(closing) <= line.length * rest_speed(i, j)) resting_.push_back({0, i, j});
+      }
+    }
+  }
+  if (!effects_.walls || effects_.walls->restitution == 1) return;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t side = 0; side < 4; ++side) {
+      const std::size_t axis = side / 2;
+      if (!domain_.solid(axis) || balls.fixed(i)) continue;
+      const Eigen::Index k = Balls::index(i);
+      const double radius = balls.radius[k];
+      const double x = balls.position[axis][k];
+      if (side % 2 == 1 ? x < domain_.highest(axis, radius) : x > domain_.lowest(axis, radius)) {
+        continue;
+      }
+      const double outwards = side % 2 == 1 ? 1 : -1;
+      const double pull = outwards * acceleration(i)[Balls::index(axis)];
+      if (pull > 0 && std::abs(balls.velocity[axis][k]) <= rest_speed(i, i)) {
+        resting_.push_back({0, i, Meeting::kWall + side});
+      }
+    }
+  }
+}
+
+// What has pressed on in the step is stopped and put side by side, in passes to and fro.
+void IntegratedSolver::settle() {
+  constexpr int kPasses = 16;
+  std::sort(resting_.begin(), resting_.end(),
+            [](const Meeting& m, const Meeting& k) { return m.who() < k.who(); });
+  const auto sweep = [&](auto act) {
+    for (int pass = 0; pass < kPasses; ++pass) {
+      bool any = false;
+      for (const Meeting& meeting : resting_) any |= act(meeting);
+      std::reverse(resting_.begin(), resting_.end());
+      if (!any) return;
+    }
+  };
+  sweep([this](const Meeting& meeting) { return stop(meeting); });
+  sweep([this](const Meeting& meeting) { return put_apart(meeting); });
+}
+
+bool IntegratedSolver::stop(const Meeting& meeting) {
   effects::Member a = member(meeting.i);
   if (meeting.with_wall()) {
     const std::uint32_t side = meeting.j - Meeting::kWall;
@@ -485,36 +601,56 @@ void IntegratedSolver::settle(const Meeting& meeting) {
     const Eigen::Index k = Balls::index(axis);
     const double wall =
         outwards > 0 ? domain_.highest(axis, a.radius) : domain_.lowest(axis, a.radius);
-    if (outwards * (a.position[k] - wall) <= 0) return;
-    a.position[k] = wall;
     const double pressing = outwards * a.velocity[k];
-    if (pressing > 0) {
-      a.velocity[k] = 0;
-      if (effects_.friction) {
-        effects::rub_wall(a, axis, outwards * pressing, effects_.friction->walls);
-      }
+    if (outwards * (a.position[k] - wall) < 0 || !(pressing > 0)) return false;
+    a.velocity[k] = 0;
+    if (effects_.friction) {
+      effects::rub_wall(a, axis, outwards * pressing, effects_.friction->walls);
     }
     put_back(a);
-    return;
+    return true;
   }
   effects::Member b = member(meeting.j);
   const LineOfCentres line = line_between(a, b, domain_);
-  const double depth = a.radius + b.radius - line.distance;
-  if (depth <= 0) return;
-  const double inverse_masses = a.inverse_mass + b.inverse_mass;
   const double closing = (b.velocity - a.velocity).dot(line.r);
-  if (closing < 0) {
-    const double j = impulse(closing, line.square, inverse_masses, 0);
-    a.velocity -= j * a.inverse_mass * line.r;
-    b.velocity += j * b.inverse_mass * line.r;
-    if (effects_.friction) effects::rub(a, b, line, j * line.length, effects_.friction->balls);
+  if (line.distance >= a.radius + b.radius) return false;
+  if (!approaches(closing, line.length, a.velocity, b.velocity)) return false;
+  const double j = impulse(closing, line.square, a.inverse_mass + b.inverse_mass, 0);
+  a.velocity -= j * a.inverse_mass * line.r;
+  b.velocity += j * b.inverse_mass * line.r;
+  if (effects_.friction) effects::rub(a, b, line, j * line.length, effects_.friction->balls);
+  put_back(a);
+  put_back(b);
+  return true;
+}
+
+bool IntegratedSolver::put_apart(const Meeting& meeting) {
+  constexpr double kClose = 1 - 0x1p-40;  // of the sum of the radii: as good as apart
+  effects::Member a = member(meeting.i);
+  if (meeting.with_wall()) {
+    const std::uint32_t side = meeting.j - Meeting::kWall;
+    const std::size_t axis = side / 2;
+    const double outwards = side % 2 == 1 ? 1 : -1;
+    double& x = a.position[Balls::index(axis)];
+    const double wall =
+        outwards > 0 ? domain_.highest(axis, a.radius) : domain_.lowest(axis, a.radius);
+    if (outwards * (x - wall) <= 0) return false;
+    x = wall;
+    put_back(a);
+    return true;
   }
-  const Vec2 move = depth / (line.length * inverse_masses) * line.r;
+  effects::Member b = member(meeting.j);
+  const LineOfCentres line = line_between(a, b, domain_);
+  const double reach = a.radius + b.radius;
+  if (line.distance >= reach * kClose) return false;
+  const double depth = reach - line.distance;
+  const Vec2 move = depth / (line.length * (a.inverse_mass + b.inverse_mass)) * line.r;
   a.position -= a.inverse_mass * move;
   b.position += b.inverse_mass * move;
   state_.deepest = std::max(state_.deepest, depth / std::min(a.radius, b.radius));
   put_back(a);
   put_back(b);
+  return true;
 }
 
 // --- commands ---------------------------------------------------------------------------------

@@ -29,10 +29,12 @@ namespace carom {
 ///     attraction          each worker: its balls, one stage    reads all places, writes new ones
 ///     pair_computation    each worker: its pairs and walls     reads all paths, writes its find
 ///
-/// A contact that cannot part, of balls that press on each other, would be met again and again.  An
-/// impact slower than what two steps of their acceleration make, with a restitution below 1, or one
-/// that rounding swallows, lets the two rest: they are not looked at until the end of the step,
-/// where they are stopped and put side by side.
+/// Contacts that cannot part would be met again and again.  With a restitution below 1, balls that
+/// touch, are drawn together and approach slower than what two steps of their acceleration make
+/// rest on each other; so do two whose approach rounding swallows, or that have met too often in a
+/// step. Until the end of the step they are not looked at; there they are stopped and put side by
+/// side. Which balls rest follows from the state at the beginning of the step and from the impacts
+/// in it.
 class IntegratedSolver final : public Solver {
  public:
   IntegratedSolver(const Scene& scene, const std::vector<Ball>& balls);
@@ -83,6 +85,7 @@ class IntegratedSolver final : public Solver {
   };
   struct alignas(128) Find {
     Meeting first;
+    std::vector<Meeting> slow;  // too slow to bounce
     EffectSeconds seconds;
   };
 
@@ -111,8 +114,14 @@ class IntegratedSolver final : public Solver {
   void strike(const Meeting& meeting);
   void strike_balls(const Meeting& meeting);
   void strike_wall(const Meeting& meeting);
-  void settle(const Meeting& meeting);
+  void find_resting();
+  void settle();
+  bool stop(const Meeting& meeting);
+  bool put_apart(const Meeting& meeting);
   [[nodiscard]] bool rests(const Meeting& meeting) const;
+  [[nodiscard]] bool is_slow(const Meeting& meeting) const;
+  /// What is too slow to bounce off another ball, or off a wall (i = j).
+  [[nodiscard]] double rest_speed(std::uint32_t i, std::uint32_t j) const;
   [[nodiscard]] bool too_often(const Meeting& meeting);
   void renew_rules();
   void restart_steps();
@@ -122,6 +131,7 @@ class IntegratedSolver final : public Solver {
 
   static constexpr std::size_t kFly = 0;
   static constexpr std::size_t kSearch = 1;
+  static constexpr std::size_t kPullOnly = Nystrom::kStages + 1;  // a stage that moves nothing
 
   Box box_;
   Domain domain_;
