@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "effects/drag.hpp"
 #include "effects/gravity.hpp"
+#include "effects/rest.hpp"
 #include "effects/walls.hpp"
 
 namespace carom {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "effects/friction.hpp"
-#include "effects/walls.hpp"
+#include "effects/rest.hpp"
 #include "state/stopwatch.hpp"
 
 namespace carom::effects {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "effects/drag.hpp"
+#include "effects/rest.hpp"
 
 namespace carom::effects {
 namespace {
@@ -18,10 +19,6 @@ double arrival_speed(const WallRule& rule, double velocity, double pull, double 
 }
 
 }  // namespace
-
-double rest_speed(double acceleration, double step, double restitution) {
-  return restitution < 1 ? 2 * std::abs(acceleration) * step : 0;
-}
 
 std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule, double* struck) {
   std::uint64_t impacts = 0;
@@ -64,20 +61,6 @@ std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule, 
     }
   }
   return impacts;
-}
-
-void wrap(Flight& flight, const Domain& domain, std::int64_t* turns) {
-  const double lower = domain.lower[flight.axis];
-  const double upper = domain.upper[flight.axis];
-  for (std::size_t k = 0; k < flight.count; ++k) {
-    const double x = flight.moved[k];
-    if (x >= lower && x <= upper) continue;
-    flight.moved[k] = std::isfinite(x) ? domain.wrapped(flight.axis, x) : flight.position[k];
-    if (turns != nullptr && std::isfinite(x)) {
-      turns[flight.begin + k] +=
-          static_cast<std::int64_t>(std::rint((x - flight.moved[k]) / domain.period[flight.axis]));
-    }
-  }
 }
 
 }  // namespace carom::effects

@@ -15,11 +15,6 @@ struct WallRule {
   double drag_rate = 0;
 };
 
-/// Speeds up to this one come to rest where they meet an obstacle: what two steps of the
-/// acceleration make.  A hop that slow is over within two steps and cannot be told from rest. Where
-/// nothing is lost in an impact nothing comes to rest.
-double rest_speed(double acceleration, double step, double restitution);
-
 /// Puts balls that have left the box back on its wall and reflects them.
 ///
 /// A ball meets the wall with the speed that its energy gives it there, v0^2 + 2 a (wall - x0), not
@@ -28,8 +23,5 @@ double rest_speed(double acceleration, double step, double restitution);
 /// towards the outside: of one that lies there, what it takes to stop it.
 std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule,
                     double* struck = nullptr);
-
-/// Takes balls that have left a periodic axis to the other end; `turns`, if there is one, counts.
-void wrap(Flight& flight, const Domain& domain, std::int64_t* turns);
 
 }  // namespace carom::effects

@@ -10,6 +10,8 @@
 #include "effects/drag.hpp"
 #include "effects/friction.hpp"
 #include "effects/gravity.hpp"
+#include "effects/periodic.hpp"
+#include "effects/rest.hpp"
 #include "effects/walls.hpp"
 #include "state/stopwatch.hpp"
 
@@ -352,8 +354,12 @@ void OverlapSolver::renew_rules() {
     const double along = acceleration[Balls::index(axis)];
     rule_.wall_rest_speed[axis] = effects::rest_speed(along, step_, rule_.wall_restitution);
     wall_rule_[axis] = {rule_.wall_restitution, along, rule_.wall_rest_speed[axis], drag_rate_};
-    glide_[axis] =
-        drag_rate_ > 0 ? effects::slowed(drag_rate_, step_, along) : effects::fall(along, step_);
+    glide_[axis] = Glide{step_};
+    if (drag_rate_ > 0) {
+      glide_[axis] = effects::slowed(drag_rate_, step_, along);
+    } else if (along != 0) {
+      glide_[axis] = effects::fall(along, step_);
+    }
     if (along != 0 && domain_.period[axis] > 0) turns_[axis].resize(balls_.size(), 0);
   }
 }

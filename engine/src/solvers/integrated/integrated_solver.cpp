@@ -7,7 +7,7 @@
 #include "effects/attraction.hpp"
 #include "effects/drag.hpp"
 #include "effects/gravity.hpp"
-#include "effects/walls.hpp"
+#include "effects/rest.hpp"
 #include "state/stopwatch.hpp"
 
 namespace carom {
@@ -102,8 +102,8 @@ bool IntegratedSolver::meets_anything() const {
 // --- steps and pieces -------------------------------------------------------------------------
 
 std::size_t IntegratedSolver::begin_step(double length) {
-  const double part = step_ / Nystrom::kInAStep;
-  parts_ = Nystrom::kInAStep;
+  const double part = step_ / Splitting::kInAStep;
+  parts_ = Splitting::kInAStep;
   tail_ = 0;
   if (length < step_) {
     parts_ = static_cast<std::size_t>(length / part);
@@ -122,7 +122,7 @@ std::size_t IntegratedSolver::begin_step(double length) {
 std::size_t IntegratedSolver::next_part() {
   if (parts_ > 0) {
     --parts_;
-    remaining_ = step_ / Nystrom::kInAStep;
+    remaining_ = step_ / Splitting::kInAStep;
   } else if (tail_ > 0) {
     remaining_ = std::exchange(tail_, 0);
   } else {
@@ -136,15 +136,19 @@ std::size_t IntegratedSolver::begin_piece(double length) {
   stage_ = 0;
   start_position_ = state_.balls.position;
   start_velocity_ = state_.balls.velocity;
-  for (std::size_t s = 0; s <= Nystrom::kStages; ++s) {
+  for (std::size_t s = 0; s <= Splitting::kStages; ++s) {
     Stage& stage = stages_[s];
-    stage.kick = Nystrom::pull[s] * length;
-    if (s == Nystrom::kStages) break;
-    stage.step = Nystrom::flight[s] * length;
+    stage.kick = Splitting::pull[s] * length;
+    if (s == Splitting::kStages) break;
+    stage.step = Splitting::flight[s] * length;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const double along = gravity_[Balls::index(axis)];
-      stage.glide[axis] = drag_rate_ > 0 ? effects::slowed(drag_rate_, stage.step, along)
-                                         : effects::fall(along, stage.step);
+      stage.glide[axis] = Glide{stage.step};
+      if (drag_rate_ > 0) {
+        stage.glide[axis] = effects::slowed(drag_rate_, stage.step, along);
+      } else if (along != 0) {
+        stage.glide[axis] = effects::fall(along, stage.step);
+      }
     }
   }
   return kFly;
@@ -156,7 +160,7 @@ std::size_t IntegratedSolver::after_stage() {
     find_resting();
     return next_part();
   }
-  if (stage_ < Nystrom::kStages) {
+  if (stage_ < Splitting::kStages) {
     std::swap(state_.balls.position, next_);
     ++stage_;
     return kFly;
@@ -252,7 +256,7 @@ void IntegratedSolver::fly(Share share) {
     }
     effects::kick(balls, stage.kick, begin, end);
   }
-  if (stage_ == Nystrom::kStages) {
+  if (stage_ == Splitting::kStages) {
     if (meets_anything() && !planned_) draw_paths(begin, end);
     return;
   }

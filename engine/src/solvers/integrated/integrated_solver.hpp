@@ -9,7 +9,7 @@
 #include "contact/first_contact.hpp"
 #include "effects/flight.hpp"
 #include "effects/friction.hpp"
-#include "solvers/integrated/nystrom.hpp"
+#include "solvers/integrated/splitting.hpp"
 #include "solvers/solver.hpp"
 #include "state/balls.hpp"
 #include "state/domain.hpp"
@@ -22,9 +22,9 @@ namespace carom {
 ///
 /// Steps are numbered from the start; a frame looks at a step begun beside the run and thrown away.
 /// A step is cut into pieces: one piece flies on, as far as the step goes, in the stages of
-/// Nystrom; its ends give every ball a quintic path, and on those the first contact is looked for.
-/// If there is one, the piece is flown again, just up to it, the impact changes velocities, and the
-/// next piece begins.  Fourth order, and so are the times of the impacts.
+/// Splitting; its ends give every ball a quintic path, and on those the first contact is looked
+/// for. If there is one, the piece is flown again, just up to it, the impact changes velocities,
+/// and the next piece begins.  Fourth order, and so are the times of the impacts.
 ///
 ///     attraction          each worker: its balls, one stage    reads all places, writes new ones
 ///     pair_computation    each worker: its pairs and walls     reads all paths, writes its find
@@ -131,7 +131,7 @@ class IntegratedSolver final : public Solver {
 
   static constexpr std::size_t kFly = 0;
   static constexpr std::size_t kSearch = 1;
-  static constexpr std::size_t kPullOnly = Nystrom::kStages + 1;  // a stage that moves nothing
+  static constexpr std::size_t kPullOnly = Splitting::kStages + 1;  // a stage that moves nothing
 
   Box box_;
   Domain domain_;
@@ -153,7 +153,7 @@ class IntegratedSolver final : public Solver {
   double remaining_ = 0;  // of the present part, with the piece that is flown
   double piece_ = 0;
   std::size_t stage_ = 0;
-  std::array<Stage, Nystrom::kStages + 1> stages_;
+  std::array<Stage, Splitting::kStages + 1> stages_;
   std::optional<Meeting> planned_;  // the piece ends with this impact
   std::array<Balls::Column, 2> next_;
   std::array<Balls::Column, 2> start_position_;
