@@ -20,6 +20,7 @@ librapidcheck-dev  header:rapidcheck.h
 libbenchmark-dev   header:benchmark/benchmark.h
 libvterm-dev       header:vterm.h
 mandoc             tool:mandoc
+valgrind           tool:valgrind
 clang-format-14    tool:clang-format-14
 '
 

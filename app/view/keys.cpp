@@ -17,9 +17,17 @@ int lines_per_page(const Canvas& canvas) {
 
 }  // namespace
 
-std::string key_hints(int width, bool paused, bool gravity) {
+std::string effect_keys(const Effects& effects) {
+  std::string keys;
+  for_each_effect([&](const auto& entry) {
+    if (effects.*entry.slot) keys += entry.key;
+  });
+  return keys;
+}
+
+std::string key_hints(int width, bool paused, std::string_view effects) {
   struct Hint {
-    std::string_view text;
+    std::string text;
     bool useful = true;
   };
   const std::array<Hint, 10> hints{{{" space:pause"},
@@ -29,7 +37,7 @@ std::string key_hints(int width, bool paused, bool gravity) {
                                     {" r:restart"},
                                     {" +-:speed"},
                                     {" []:step"},
-                                    {" g:gravity", gravity},
+                                    {fmt::format(" {}:on/off", effects), !effects.empty()},
                                     {" ?:help"},
                                     {" q:quit"}}};
   constexpr std::array<std::size_t, 10> kByNeed{9, 8, 0, 1, 2, 5, 4, 7, 3, 6};

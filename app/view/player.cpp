@@ -173,8 +173,7 @@ void Player::show() {
   if (lines == 2) {
     screen.write(0, below, line, Ink::status);
     if (notice_.empty()) {
-      screen.write(0, below + 1,
-                   key_hints(size.columns, !running, scene_.effects.gravity.has_value()),
+      screen.write(0, below + 1, key_hints(size.columns, !running, effect_keys(scene_.effects)),
                    Ink::status);
     } else {
       screen.write(0, below + 1, ' ' + notice_, Ink::notice);
@@ -213,7 +212,8 @@ void Player::press(char key) {
       return add_balls(10);
     case 'x':
       if (session_->simulation().balls() == 0) return say("there is no ball to remove");
-      return obey(command::Remove{}, "removed the newest ball");
+      obey(command::Remove{}, "removed the newest ball");
+      return;
     case 'r':
       return restart();
     case '+':
@@ -226,8 +226,6 @@ void Player::press(char key) {
       return change_step(0.5);
     case ']':
       return change_step(2);
-    case 'g':
-      return toggle_gravity();
     case '?':
       ++help_page_;
       {
@@ -240,18 +238,21 @@ void Player::press(char key) {
       quit_ = true;
       return say("quit");
     default:
+      if (toggle_effect(key)) return;
       return say(key > ' ' && key <= '~' ? fmt::format("'{}' is no key here: ? lists them", key)
                                          : "that is no key here: ? lists them");
   }
 }
 
 /// A command that the engine refuses is said and changes nothing.
-void Player::obey(const Command& command, const std::string& notice) {
+bool Player::obey(const Command& command, const std::string& notice) {
   try {
     session_->apply(command);
     say(notice);
+    return true;
   } catch (const CommandError& refused) {
     say(refused.what());
+    return false;
   }
 }
 
@@ -291,19 +292,27 @@ void Player::change_step(double factor) {
   obey(command::SetStep{step}, fmt::format("step 1/{:.6g} s", 1 / step));
 }
 
-void Player::toggle_gravity() {
-  const auto& gravity = scene_.effects.gravity;
-  if (!gravity) return say("this scene has no gravity");
-  command::SetEffects change;
-  change.effects.gravity = gravity_ ? Gravity{{0, 0}} : *gravity;
-  gravity_ = !gravity_;
-  obey(change, gravity_ ? "gravity on" : "gravity off");
+/// Off: values that do nothing; on: those of the scene.  False where the key is no effect's.
+bool Player::toggle_effect(char key) {
+  bool found = false;
+  std::size_t index = 0;
+  for_each_effect([&](const auto& entry) {
+    bool& off = switched_off_[index++];
+    if (entry.key != key) return;
+    found = true;
+    const auto& effect = scene_.effects.*entry.slot;
+    if (!effect) return say(fmt::format("this scene has no {}", entry.name));
+    command::SetEffects change;
+    change.effects.*entry.slot = off ? *effect : switched_off(*effect);
+    if (obey(change, fmt::format("{} {}", entry.name, off ? "on" : "off"))) off = !off;
+  });
+  return found;
 }
 
 void Player::restart() {
   session_.reset();  // its threads end before as many start again
   session_.emplace(scene_);
-  gravity_ = true;
+  switched_off_.fill(false);
   added_ = 0;
   single_ = 0;
   slice_cost_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -34,11 +35,11 @@ class Player {
  private:
   void handle(const Event& event);
   void press(char key);
-  void obey(const Command& command, const std::string& notice);
+  bool obey(const Command& command, const std::string& notice);  ///< says whether it was done
   void add_balls(int count);
   void change_step(double factor);
   void change_speed(double factor);
-  void toggle_gravity();
+  bool toggle_effect(char key);
   void restart();
 
   void handle_events_until(Instant due);
@@ -57,8 +58,8 @@ class Player {
   double single_ = 0;      // simulated seconds still to go of single frames asked for
   double slice_cost_ = 0;  // real seconds per simulated second, as last seen
   std::chrono::duration<double> computing_{0};
-  bool gravity_ = true;
-  int help_page_ = -1;  // no help
+  std::array<bool, kEffectCount> switched_off_{};  // by the order of the table of effects
+  int help_page_ = -1;                             // no help
   std::uint64_t added_ = 0;
 
   std::string notice_;

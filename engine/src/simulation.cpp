@@ -17,11 +17,6 @@
 namespace carom {
 namespace {
 
-template <class Effect>
-bool switches_off(const std::optional<Effect>& effect) {
-  return effect && !effect->on;
-}
-
 std::unique_ptr<Solver> make_solver(const Scene& scene, const std::vector<Ball>& balls) {
   const Method method = choose_method(scene).method;
   std::vector<Problem> problems = scene::find_unavailable(scene, method);
@@ -87,10 +82,6 @@ class Simulation::Implementation {
           "{} cannot be set: the scene does not name it among its effects", entry.name));
     });
     check_inside(set.effects);
-    if (method_ == Method::event && !scene_.effects.attraction &&
-        (switches_off(set.effects.walls) || switches_off(set.effects.collisions))) {
-      throw CommandError("method event cannot switch off walls or collisions");
-    }
     solver_->set(set.effects);
     assign(scene_.effects, set.effects);
   }

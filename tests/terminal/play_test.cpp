@@ -105,6 +105,26 @@ TEST(Play, SaysThatASceneHasNoGravity) {
   EXPECT_TRUE(terminal.wait_for("this scene has no gravity")) << terminal.text();
 }
 
+TEST(Play, SwitchesEveryEffectOfTheSceneOffAndOn) {
+  const SceneFile scene(R"({"box": {"width": 20, "height": 10}, "effects": {
+    "walls": {}, "collisions": {}, "gravity": [0, -1], "drag": {"rate": 0.1},
+    "friction": {"balls": 0.1}, "attraction": {"strength": 0.1, "softening": 1}},
+    "balls": [{"position": [5, 5]}, {"position": [10, 5], "velocity": [1, 0]}]})");
+  Terminal terminal({scene.path()});
+  ASSERT_TRUE(terminal.wait_for("wcgdft:on/off")) << terminal.text();
+  const std::vector<std::pair<std::string, std::string>> keys{
+      {"w", "walls"}, {"c", "collisions"}, {"g", "gravity"},
+      {"d", "drag"},  {"f", "friction"},   {"t", "attraction"}};
+  for (const auto& [key, name] : keys) {
+    terminal.type(key);
+    EXPECT_TRUE(terminal.wait_for(" " + name + " off")) << terminal.text();
+    terminal.type(key);
+    EXPECT_TRUE(terminal.wait_for(" " + name + " on")) << terminal.text();
+  }
+  terminal.type("q");
+  EXPECT_EQ(terminal.wait_for_end(), 0);
+}
+
 TEST(Play, FollowsTheSizeOfTheScreen) {
   const SceneFile scene(kThreeBalls);
   Terminal terminal({scene.path()});

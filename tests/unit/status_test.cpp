@@ -48,21 +48,30 @@ TEST(StatusLine, WritesSpeedsAsPeopleDo) {
 
 TEST(KeyHints, NameEveryKeyThatIsOfUseAtEightyColumns) {
   for (const bool paused : {false, true}) {
-    for (const bool gravity : {false, true}) {
-      if (paused && gravity) continue;
-      const std::string hints = key_hints(80, paused, gravity);
+    for (const std::string effects : {"", "wcg"}) {
+      if (paused && !effects.empty()) continue;
+      const std::string hints = key_hints(80, paused, effects);
       EXPECT_LE(hints.size(), 80U);
       for (const char* const key : {"space", "aA", "x:", "r:", "+-", "[]", "?", "q:"})
         EXPECT_NE(hints.find(key), std::string::npos) << key << " in " << hints;
-      EXPECT_EQ(hints.find("g:") != std::string::npos, gravity);
+      EXPECT_EQ(hints.find(" wcg:") != std::string::npos, !effects.empty());
     }
   }
 }
 
+TEST(KeyHints, HaveTheKeysOfTheEffectsThatAreNamed) {
+  Effects effects;
+  EXPECT_EQ(effect_keys(effects), "");
+  effects.gravity = Gravity{};
+  effects.walls = Walls{};
+  effects.attraction = Attraction{};
+  EXPECT_EQ(effect_keys(effects), "wgt");
+}
+
 TEST(KeyHints, KeepTheWayOutLongest) {
-  EXPECT_EQ(key_hints(8, false, true), " q:quit");
+  EXPECT_EQ(key_hints(8, false, "wcgdft"), " q:quit");
   for (int width = -1; width < 100; ++width)
-    EXPECT_LE(static_cast<int>(key_hints(width, true, true).size()), std::max(0, width));
+    EXPECT_LE(static_cast<int>(key_hints(width, true, "wcgdft").size()), std::max(0, width));
 }
 
 TEST(Meter, TellsTheRateOfTheLastSecond) {

@@ -49,17 +49,6 @@ constexpr auto kNotForEvent =
 
 /// The one list of what a scene can name and a method cannot do.
 constexpr std::array kUnavailable{
-    Unavailable{"/effects/walls/on", kEvent,
-                [](const Scene& s) {
-                  return flies_in_closed_form(s) && s.effects.walls && !s.effects.walls->on;
-                },
-                kNotForEvent},
-    Unavailable{"/effects/collisions/on", kEvent,
-                [](const Scene& s) {
-                  return flies_in_closed_form(s) && s.effects.collisions &&
-                         !s.effects.collisions->on;
-                },
-                kNotForEvent},
     Unavailable{"/effects/friction", kEvent,
                 [](const Scene& s) { return flies_in_closed_form(s) && s.effects.friction; },
                 kNotForEvent},
@@ -68,6 +57,13 @@ constexpr std::array kUnavailable{
     Unavailable{"/solver/method", kEvent, short_periodic_axis,
                 "\"event\" needs periodic axes longer than four radii of the largest ball, use "
                 "\"overlap\""},
+    Unavailable{"/solver/digits", kEvent,
+                [](const Scene& s) {
+                  const int digits = s.solver.digits;
+                  return !flies_in_closed_form(s) &&
+                         (digits == 34 || digits == 50 || digits == 100);
+                },
+                "with attraction method \"event\" computes in 16 digits: use 16"},
     Unavailable{"/solver/digits", kOverlap,
                 [](const Scene& s) {
                   const int digits = s.solver.digits;

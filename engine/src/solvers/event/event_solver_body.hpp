@@ -33,7 +33,7 @@ inline std::array<double, 2> gravity_of(const Effects& effects) {
 
 template <class P>
 EventSolver<P>::EventSolver(const Scene& scene, std::vector<Ball> balls)
-    : domain_(scene.box, scene.effects.walls.has_value()),
+    : domain_(scene.box, has_walls(scene.effects)),
       effects_(scene.effects),
       balls_(std::move(balls)) {
   for (Ball& ball : balls_) {
@@ -225,7 +225,7 @@ void EventSolver<P>::start() {
   event::BasicRules<S> rules{domain_,
                              scale_,
                              event::gravity_of(effects_),
-                             effects_.collisions.has_value(),
+                             has_collisions(effects_),
                              effects_.collisions ? effects_.collisions->restitution : 1,
                              effects_.walls ? effects_.walls->restitution : 1,
                              {},
@@ -278,7 +278,13 @@ void EventSolver<P>::remove(std::size_t ball) {
 template <class P>
 void EventSolver<P>::set(const Effects& effects) {
   land();
-  if (effects.walls) effects_.walls = effects.walls;
+  if (effects.walls) {
+    effects_.walls = effects.walls;
+    for (Domain::Sides& sides : domain_.sides) {
+      if (sides == Domain::Sides::periodic) continue;
+      sides = has_walls(effects_) ? Domain::Sides::walls : Domain::Sides::open;
+    }
+  }
   if (effects.collisions) effects_.collisions = effects.collisions;
   if (effects.gravity || effects.drag) {
     for (Disk& disk : flights_) {

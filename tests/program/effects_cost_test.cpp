@@ -1,0 +1,223 @@
+// What a scene does not name costs nothing: no memory, no instruction, no phase, no line of a
+// report.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "carom/effects.hpp"
+#include "support/process.hpp"
+
+namespace carom {
+namespace {
+
+using nlohmann::json;
+using Names = std::set<std::string>;
+
+const std::map<std::string, std::string> kWritten{
+    {"walls", R"("walls": {})"},
+    {"collisions", R"("collisions": {})"},
+    {"gravity", R"("gravity": [0, -1])"},
+    {"drag", R"("drag": {"rate": 0.1})"},
+    {"friction", R"("friction": {"balls": 0.2, "walls": 0.3})"},
+    {"attraction", R"("attraction": {"strength": 0.1, "softening": 0.5})"},
+};
+
+Names every_effect() {
+  Names names;
+  for_each_effect([&](const auto& entry) { names.emplace(entry.name); });
+  return names;
+}
+
+constexpr std::size_t kBalls = 4;
+
+class Cost : public testing::Test {
+ protected:
+  support::Outcome carom(std::vector<std::string> words, const Names& effects) {
+    std::string list;
+    for (const std::string& name : effects) {
+      list += (list.empty() ? "" : ", ") + kWritten.at(name);
+    }
+    support::write_file(folder_ / "scene.json",
+                        R"({"box": {"width": 8, "height": 8}, "solver": {"method": "overlap"},
+                            "effects": {)" +
+                            list + R"(}, "balls": [{"position": [1, 1], "velocity": [1, 2]},
+                            {"position": [3, 5]}, {"position": [6, 2]}, {"position": [6, 6]}]})");
+    words.insert(words.begin(), CAROM_PROGRAM);
+    return support::run(words, {folder_.path(), ""});
+  }
+
+  std::map<std::string, std::size_t> memory(const Names& effects) {
+    const auto outcome = carom({"check", "scene.json"}, effects);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    std::map<std::string, std::size_t> bytes;
+    static const std::regex kRow("^    ([a-z_]+) +([0-9]+)");
+    std::istringstream lines(outcome.out);
+    std::smatch found;
+    for (std::string line; std::getline(lines, line);) {
+      if (std::regex_search(line, found, kRow)) bytes[found[1]] = std::stoul(found[2]);
+    }
+    return bytes;
+  }
+
+  json report(const Names& effects) {
+    const auto outcome =
+        carom({"run", "scene.json", "--time", "0.1", "--quiet", "--report", "-"}, effects);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return json::parse(outcome.out);
+  }
+
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(Cost, OfMemoryIsThatOfTheEffectsThatAreNamed) {
+  const auto bare = memory({});
+  EXPECT_GE(bare.size(), 5U);
+  const std::map<std::string, std::map<std::string, std::size_t>> more{
+      {"walls", {}},
+      {"collisions", {{"pairs", kBalls * (kBalls - 1) / 2 * 16}}},
+      {"gravity", {}},
+      {"drag", {}},
+      {"friction", {{"spin", kBalls * 8}}},
+      {"attraction", {{"pull", kBalls * 16}}},
+  };
+  EXPECT_EQ(more.size(), kEffectCount);
+  for (const auto& [name, rows] : more) {
+    auto expected = bare;
+    expected.insert(rows.begin(), rows.end());
+    EXPECT_EQ(memory({name}), expected) << name;
+  }
+}
+
+TEST_F(Cost, OfThreadsIsThatOfTheEffectsThatAreNamed) {
+  const auto phases = [&](const Names& effects) {
+    Names names;
+    for (const auto& [name, seconds] : report(effects)["phases"].items()) names.insert(name);
+    return names;
+  };
+  const Names bare{"flight"};
+  EXPECT_EQ(phases({}), bare);
+  EXPECT_EQ(phases({"gravity", "drag", "friction"}), bare);
+  EXPECT_EQ(phases({"walls"}), Names{"wall_computation"});
+  EXPECT_EQ(phases({"collisions"}), (Names{"flight", "pair_computation"}));
+  EXPECT_EQ(phases({"attraction"}), (Names{"flight", "attraction"}));
+  const auto checked = carom({"check", "scene.json"}, {"gravity"}).out;
+  EXPECT_NE(checked.find("do_frame, flight, frame_done"), std::string::npos) << checked;
+}
+
+TEST_F(Cost, IsReportedForTheEffectsThatAreNamed) {
+  const auto reported = [&](const Names& effects) {
+    Names names;
+    for (const auto& [name, cost] : report(effects)["effects"].items()) {
+      EXPECT_GE(cost["seconds"].get<double>(), 0);
+      names.insert(name);
+    }
+    return names;
+  };
+  EXPECT_EQ(reported({}), Names{});
+  for (const std::string& name : every_effect()) EXPECT_EQ(reported({name}), Names{name});
+  EXPECT_EQ(reported(every_effect()), every_effect());
+}
+
+TEST_F(Cost, IsTold) {
+  const auto lists = [&](const Names& effects) {
+    const std::string out = carom({"check", "scene.json"}, effects).out;
+    Names both;
+    for (const std::string row : {"  simulated ", "  not simulated "}) {
+      std::istringstream lines(out);
+      for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with(row)) continue;
+        for (const std::string& name : every_effect()) {
+          if (line.find(name) != std::string::npos) both.insert(row + name);
+        }
+      }
+    }
+    return both;
+  };
+  for (const std::string& named : every_effect()) {
+    Names expected;
+    for (const std::string& name : every_effect()) {
+      expected.insert((name == named ? "  simulated " : "  not simulated ") + name);
+    }
+    if (named == "friction") {
+      // Its coefficients are called by what they are between.
+      expected.insert("  simulated walls");
+    }
+    EXPECT_EQ(lists({named}), expected);
+  }
+}
+
+// The valgrind of Debian 12 does not run programs built with sanitizers.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+/// The functions that others can call in the files of each effect.
+std::map<std::string, Names> functions_of_effects() {
+  const std::map<std::string, std::string> kEffectOfFile{{"walls.cpp.o", "walls"},
+                                                         {"collisions.cpp.o", "collisions"},
+                                                         {"contact_group.cpp.o", "collisions"},
+                                                         {"pile.cpp.o", "collisions"},
+                                                         {"gravity.cpp.o", "gravity"},
+                                                         {"drag.cpp.o", "drag"},
+                                                         {"friction.cpp.o", "friction"},
+                                                         {"attraction.cpp.o", "attraction"}};
+  const auto outcome = support::run({"nm", "--defined-only", CAROM_ENGINE});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  std::map<std::string, Names> functions;
+  std::string effect;
+  std::istringstream lines(outcome.out);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with(".o:")) {
+      const auto found = kEffectOfFile.find(line.substr(0, line.size() - 1));
+      effect = found == kEffectOfFile.end() ? "" : found->second;
+    } else if (!effect.empty() && line.find(" T _ZN5carom7effects") != std::string::npos) {
+      functions[effect].insert(line.substr(line.rfind(' ') + 1));
+    }
+  }
+  return functions;
+}
+
+TEST_F(Cost, OfInstructionsIsThatOfTheEffectsThatAreNamed) {
+  const auto functions = functions_of_effects();
+  ASSERT_EQ(functions.size(), kEffectCount);
+  const std::vector<Names> scenes{{},
+                                  {"walls"},
+                                  {"collisions"},
+                                  {"gravity"},
+                                  {"drag"},
+                                  {"walls", "collisions", "friction"},
+                                  {"attraction"},
+                                  {"walls", "collisions", "gravity", "drag", "attraction"},
+                                  every_effect()};
+  for (const Names& named : scenes) {
+    const std::string out = folder_ / "callgrind";
+    std::vector<std::string> words{"valgrind",
+                                   "--tool=callgrind",
+                                   "--demangle=no",
+                                   "--compress-strings=no",
+                                   "--callgrind-out-file=" + out,
+                                   CAROM_PROBE};
+    words.insert(words.end(), named.begin(), named.end());
+    const auto outcome = support::run(words);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    Names called;
+    std::istringstream lines(support::read_file(out));
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("fn=")) called.insert(line.substr(3, line.find('\'') - 3));
+    }
+    for (const auto& [effect, names] : functions) {
+      std::string found;
+      for (const std::string& name : names) {
+        if (called.contains(name)) found += ' ' + name;
+      }
+      EXPECT_EQ(!found.empty(), named.contains(effect)) << effect << ":" << found;
+    }
+  }
+}
+
+#endif
+
+}  // namespace
+}  // namespace carom
