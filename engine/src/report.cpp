@@ -78,6 +78,8 @@ std::string to_json(const Report& report) {
   json["workers"] = report.workers;
   json["seed"] = report.seed;
   json["events"] = {{"ball_ball", measured.ball_ball}, {"ball_wall", measured.ball_wall}};
+  json["joint_impacts"] = measured.joint_impacts;
+  json["resting_contacts"] = measured.resting_contacts;
   json["energy"] = {{"initial", measured.energy_initial},
                     {"final", measured.energy_final},
                     {"input", measured.energy_input},

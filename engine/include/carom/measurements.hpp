@@ -13,9 +13,11 @@ using Seconds = std::vector<std::pair<std::string, double>>;  ///< name and seco
 
 /// What a simulation has gone through, and where it stands.
 struct Measurements {
-  std::uint64_t ball_ball = 0;  ///< impacts between balls
-  std::uint64_t ball_wall = 0;  ///< impacts at walls
-  double energy_initial = 0;    ///< kinetic and potential
+  std::uint64_t ball_ball = 0;         ///< impacts between balls
+  std::uint64_t ball_wall = 0;         ///< impacts at walls
+  std::uint64_t joint_impacts = 0;     ///< of several contacts at one instant
+  std::uint64_t resting_contacts = 0;  ///< contacts that came to rest
+  double energy_initial = 0;           ///< kinetic and potential
   double energy_final = 0;
   double energy_input = 0;  ///< by commands: balls added and removed, effects changed
   Vec2 momentum_initial{0, 0};

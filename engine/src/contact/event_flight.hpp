@@ -37,6 +37,8 @@ struct StraightLaw {
   S wall_wait(std::size_t, int, const S& h, const S& v) const { return wall_time(h, v); }
   S wall_arrival(std::size_t, int, const S&, const S& v, const S&) const { return v; }
   S acceleration(std::size_t) const { return S(0); }
+  Vec<S> pull() const { return {S(0), S(0)}; }
+  StraightLaw carried(unsigned) const { return {}; }
 };
 
 /// Uniform acceleration, the same for every ball.
@@ -67,6 +69,11 @@ struct BallisticLaw {
     return peg_time(r, v, gravity, s, from_contact);
   }
   S acceleration(std::size_t axis) const { return absolute(axis == 0 ? gravity.x : gravity.y); }
+  const Vec<S>& pull() const { return gravity; }
+  /// The law of a ball that something carries along some axes: 1 for x, 2 for y.
+  BallisticLaw carried(unsigned axes) const {
+    return {{(axes & 1U) != 0 ? S(0) : gravity.x, (axes & 2U) != 0 ? S(0) : gravity.y}};
+  }
 
  private:
   S pull(std::size_t axis, int side) const { return side * (axis == 0 ? gravity.x : gravity.y); }

@@ -6,69 +6,87 @@ namespace carom::event {
 
 // When contacts come to rest, what carries them while they rest, and what wakes them.
 //
-// With restitution below 1 there are infinitely many impacts in finite time; all but finitely many
-// of them fall into one tick of the clock, and there the series is summed. No threshold is
-// absolute: each is the clock's own resolution, or a power of two times a time that the contact
-// itself brings.
+// With restitution below 1 there are infinitely many impacts in finite time.  No threshold is
+// absolute: each is the clock's own resolution, or a power of two times a length, a time or a speed
+// that the contact itself brings (s: its distance, g: gravity).
 //
-// Rule 1, bouncing out. Under a pressing acceleration a (a ball on a floor; also on a fixed ball)
-// the hops still to come after an impact that leaves at speed v last 2 v / a (1 + e + e^2 + ...).
-// When that is no longer than the clock's resolution, the contact rests from this instant:
-// bounces_out(). The ball stays exactly where the impact left it, its normal velocity 0. Dropped
-// from h it rests at sqrt(2h/g)(1+e)/(1-e), after about ln(2^53) / ln(1/e) hops. Hops must be
-// timed from h = 0 (wall_time) or from_contact (peg_time): those that start in a gap made of
-// rounding would never die out.
+// Rule 1, bouncing out.  A ball that leaves a wall, against which gravity presses it, so slowly
+// that the hop is over before the clock moves, rests on it from this instant: its normal velocity
+// is 0 and nothing accelerates it that way.  Dropped from h it rests at sqrt(2h/g)(1+e)/(1-e),
+// exactly at the wall, after about ln(2^55) / ln(1/e) hops; along the wall it glides on.  The same
+// straight above a fixed ball.  Seen from a ball that falls it accelerates: peg_time().
 //
-// Rule 2, collapse without a force (McNamara and Young, Phys. Fluids A 4 (1992) 496). The impacts
-// of a line of balls pile up before a moment. When a contact is hit again within the clock's
-// resolution of its last impact, collapses(), all balls connected by contacts that were hit within
-// that resolution take one inelastic joint_impact(): restitution 0 at all those contacts. From then
-// on they part or move together, and pair_time() is never until another ball changes the flight of
-// one. One pair at a time will not do: ten balls need more than 10^5 impacts within the tick.
+// Rule 2, collapse without a force (McNamara and Young, Phys. Fluids A 4 (1992) 496).  Two that
+// would part by less than 2^-95 of their distance in a tick take one normal velocity: they stay
+// together, and are counted.  Balls that have been hit within 2^15 ticks before are resolved with
+// all that touch them as one joint_impact().
 //
-// Rule 3, hopping. A contact that presses but slides (a ball on the side of a fixed ball, a pile
-// that still creeps) has no closed-form path. It goes on hopping: hit again within hop_time(),
-// 2^-10 of the time in which the acceleration makes the contact distance, it is hit with
-// restitution 1 (the contact-time model of Luding and McNamara, Granular Matter 1 (1998) 113). That
-// bounds the impacts of a contact to 2^10 in that time, and the hops to 2^-23 of the distance.
+// Rule 3, hopping.  A contact that presses but slides (a ball on the side of another, a pile that
+// creeps) has no closed-form path.  It hops: an impact slower than 4 kHop sqrt(g s) of two that
+// have both been hit within the time of such a hop parts as fast as it came, and not slower than
+// kHop sqrt(g s); so does any impact of two that were hit within 2^-5 of that (Luding and
+// McNamara, Granular Matter 1 (1998) 113: contacts that follow each other within a contact's
+// duration lose nothing).  Hops are s 2^-15 high.  Contacts of one instant hop together, by the
+// least impulses.
 //
-// Rule 4, rest. A group whose contacts all rest or hop, and whose reactions() leave no ball an
-// acceleration, is put to rest as a whole: velocities 0, no flights, no predictions, no cost. If
-// some balls accelerate, the contacts without a force are given up and the rest is asked again.
-// reactions() costs O(contacts) for each step of its conjugate gradients, at least as many steps
-// as the pile has layers, once each time a group comes to rest or loses a member.
+// Rule 4, rest.  At every whole multiple of a power of two of ticks, about the time of a fall
+// through a ball, balls that are near and slow to each other are asked whether forces can carry
+// them: settle() lets them sink to where all loaded contacts are closed; those that do not move
+// there, by less than 2^-7 of s away, and have no partner that moves, are put there at rest, or to
+// their common drift where no wall stops it.  A ball on a single one rests only straight above it.
 //
-// Rule 5, waking. A resting group wakes when a ball that is not of it hits one that is (the impact
-// is a joint_impact() with all the group's contacts: a blow goes through a pile in no time), when
-// one that carries it is removed, or when gravity is set. Balls that leave a contact with speed
-// fly; the others are asked by reactions() again.
+// Rule 5, waking.  A group at rest wakes as a whole when a ball that is not of it hits one that is,
+// when one of it is removed, or when gravity is set: all of it flies on from there.
+//
+// What there is to save of this is, ball by ball, the axes along which something carries it;
+// which balls form a group, and which have been hit lately, follows from the flights.
 
-/// The hops still to come after leaving with speed v, pressed back by a, in time.
-template <class S>
-S bouncing_left(const S& v, const S& a, const S& restitution) {
-  return 2 * v / (a * (1 - restitution));
-}
-
-/// Rule 1; resolution: the smallest step of the clock at this time.
+/// Rule 1: leaving at v, pressed back by a, the hop is over before the clock moves.
 template <class S>
 bool bounces_out(const S& v, const S& a, const S& restitution, const S& resolution) {
-  return restitution < 1 && a > 0 && bouncing_left(v, a, restitution) <= resolution;
+  return restitution < 1 && a > 0 && 2 * v <= a * resolution;
 }
 
-/// Rule 2; elapsed: since the last impact of this contact.
+/// Rule 3, in units of sqrt(g s): the speed at which hopping balls part, and how much faster than
+/// that an impact may be to count as a hop.
+inline constexpr double kHop = 0x1p-7;
+inline constexpr double kSlow = 4;
+/// An impact of two that have both been hit within this part of the time in which gravity makes
+/// the speed of a hop counts as one however fast it is: shocks pass through a crowd in bounded
+/// impacts.
+inline constexpr double kShock = 0x1p-5;
+/// What may be left of a joint hop.
+inline constexpr double kHopError = 0x1p-24;
+
+/// Rule 2: two that part by less than 2^this of their contact's distance in a tick stay together.
+inline constexpr int kTogether = -95;
+/// Ticks within which both have been hit before, where balls collapse.
+inline constexpr double kCollapse = 0x1p15;
+
+/// Balls that touch are so near, as a part of their contact's distance: nearer than what
+/// neighbours are listed for.
+inline constexpr double kTouching = 0x1p-31;
+
+/// Rule 4: balls of a group are so near, as a part of their contact's distance.
+inline constexpr double kNear = 0x1p-6;
+
+/// Whether two that are r apart are nearer than their contact's distance and this part more of it.
 template <class S>
-bool collapses(const S& restitution, const S& elapsed, const S& resolution) {
-  return restitution < 1 && elapsed <= resolution;
+bool near(const Vec<S>& r, const S& reach, const S& part) {
+  const S most = reach + reach * part;
+  return !(r.x * r.x + r.y * r.y > most * most);
 }
 
-/// Rule 3: s the contact distance, a the acceleration that presses.
+/// Whether v is not beyond the speed of hops.
 template <class S>
-S hop_time(const S& s, const S& a) {
-  return root(S(s / a)) / 1024;
+bool slow(const Vec<S>& v, const S& hop_speed) {
+  return !(absolute(v.x) > kSlow * hop_speed || absolute(v.y) > kSlow * hop_speed);
 }
+
+/// Whether a ball at r from a fixed one lies and moves straight above it, to the last bit.
 template <class S>
-S restitution_of_a_hop(const S& restitution, const S& elapsed, const S& hop) {
-  return elapsed < hop ? S(1) : restitution;
+bool straight_up(const Vec<S>& r, const Vec<S>& v, const Vec<S>& gravity) {
+  return cross(r, gravity) == 0 && cross(v, gravity) == 0 && sharp_dot(r, gravity) < 0;
 }
 
 }  // namespace carom::event

@@ -52,8 +52,17 @@ constexpr std::array kUnavailable{
     Unavailable{"/effects/friction", kEvent,
                 [](const Scene& s) { return flies_in_closed_form(s) && s.effects.friction; },
                 kNotForEvent},
-    Unavailable{"/solver/method", kEvent, lossy,
-                "\"event\" cannot take a restitution below 1 in this version, use \"overlap\""},
+    Unavailable{"/solver/method", kEvent,
+                [](const Scene& s) {
+                  // A collapse without gravity is rare enough to be told when it comes.
+                  const bool wide = s.solver.digits > 16 && s.effects.gravity;
+                  return lossy(s) && (s.effects.drag || wide);
+                },
+                "\"event\" with drag, or with gravity in more than 16 digits, cannot take a "
+                "restitution below 1 in this version, use \"overlap\""},
+    Unavailable{"/solver/digits", kEvent,
+                [](const Scene& s) { return !flies_in_closed_form(s) && s.solver.digits != 16; },
+                "the flight under attraction is integrated in 16 digits: use 16"},
     Unavailable{"/solver/method", kEvent, short_periodic_axis,
                 "\"event\" needs periodic axes longer than four radii of the largest ball, use "
                 "\"overlap\""},

@@ -178,6 +178,9 @@ SavedFlight take_flight(const Value& object) {
   flight.velocity = decimals(object, "velocity");
   take(object, "spin", flight.spin);
   if (const Value* left = object.find("left")) flight.left = whole(*left);
+  if (const Value* axes = object.find("carried")) {
+    flight.carried = static_cast<unsigned>(whole(*axes).value_or(0));
+  }
   return flight;
 }
 

@@ -118,6 +118,7 @@ constexpr std::array kFlightKeys{
     Key{"velocity", Type::decimal_pair, true, nullptr, {}, R"(["1", "0"])"},
     Key{"spin", Type::decimal},
     Key{"left", Type::whole},
+    Key{"carried", Type::whole},
 };
 constexpr Group kFlight{"a flight", kFlightKeys};
 

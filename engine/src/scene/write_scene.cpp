@@ -183,6 +183,7 @@ std::string flight(const SavedFlight& flight) {
   line.put("position", two(flight.position)).put("velocity", two(flight.velocity));
   if (!flight.spin.empty()) line.put("spin", text(flight.spin));
   if (flight.left) line.put("left", fmt::format("{}", *flight.left));
+  if (flight.carried != 0) line.put("carried", fmt::format("{}", flight.carried));
   return line.take();
 }
 

@@ -3,12 +3,15 @@
 #include "solvers/event/agenda_body.hpp"
 #include "solvers/event/event_solver_body.hpp"
 #include "solvers/event/motion_body.hpp"
+#include "solvers/event/motion_rest_body.hpp"
 #include "solvers/event/neighbours_body.hpp"
 #include "solvers/event/tile_body.hpp"
 #include "solvers/event/tile_impact_body.hpp"
 #include "solvers/event/tile_instant_body.hpp"
 #include "solvers/event/tile_lanes_body.hpp"
+#include "solvers/event/tile_rest_body.hpp"
 #include "solvers/event/tile_search_body.hpp"
+#include "solvers/event/tile_settling_body.hpp"
 
 /// The whole method compiled for one Physics: a source file for each.
 #define CAROM_COMPILE_EVENT(PHYSICS)            \

@@ -61,6 +61,7 @@ class EventSolver final : public Solver {
   std::vector<Ball> balls_;         // as they were at the last `land`
   std::vector<Disk> flights_;       // of the balls, in their order, while there is no tile
   std::vector<event::Index> left_;  // the fixed ball at which each began, by number
+  std::vector<unsigned> carried_;   // what carries each, where contacts can rest
   std::vector<event::Index> slot_;  // where in the tile a ball is
   typename P::Clock scale_;
   std::unique_ptr<event::Tile<P>> tile_;

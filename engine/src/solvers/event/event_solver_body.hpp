@@ -60,6 +60,7 @@ void EventSolver<P>::take_flights(const Scene& scene) {
     flights_.push_back(event::restored<P>(flights[i]));
     const auto& left = flights[i].left;
     left_.push_back(left ? static_cast<event::Index>(*left) : event::kUnknown);
+    carried_.push_back(P::kRests ? flights[i].carried : 0);
     const auto& start = flights_.back().start;
     const auto earliest = -P::Clock::longest_flight();
     if (balls_[i].fixed || (start <= now_.ticks && start >= earliest)) continue;
@@ -185,16 +186,20 @@ void EventSolver<P>::land() {
   balls_ = state();
   flights_.resize(slot_.size());
   left_.assign(slot_.size(), event::kUnknown);
+  carried_.assign(slot_.size(), 0);
   std::vector<event::Index> number(slot_.size());
   for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = static_cast<event::Index>(i);
   for (std::size_t i = 0; i < slot_.size(); ++i) {
     flights_[i] = tile_->disks()[slot_[i]];
+    carried_[i] = tile_->motion().carried(flights_[i]);
     const event::Index left = tile_->left(slot_[i]);
     if (left != event::kUnknown) left_[i] = number[left];
   }
   const event::Counts& counts = tile_->counts();
   before_.ball_ball += counts.ball_ball;
   before_.ball_wall += counts.ball_wall;
+  before_.joint_impacts += counts.joint_impacts;
+  before_.resting_contacts += counts.resting_contacts;
   before_.max_overlap = std::max(before_.max_overlap, counts.max_overlap);
 }
 
@@ -240,7 +245,11 @@ void EventSolver<P>::start() {
                                                static_cast<event::Index>(rules.kinds.size()));
     if (added) rules.kinds.push_back(kind);
     flights_[i].kind = at->second;
+  }
+  carried_.resize(balls_.size(), 0);
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
     disks[slot_[i]] = flights_[i];
+    disks[slot_[i]].kind += static_cast<event::Index>(carried_[i] * rules.kinds.size());
   }
   tile_ = std::make_unique<event::Tile<P>>(std::move(rules));
   left_.resize(balls_.size(), event::kUnknown);
@@ -263,10 +272,12 @@ void EventSolver<P>::add(const Ball& ball) {
 
 template <class P>
 void EventSolver<P>::remove(std::size_t ball) {
+  if constexpr (P::kRests) tile_->wake_around(slot_[ball], now_.ticks);
   land();
   balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(ball));
   flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(ball));
   left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ball));
+  carried_.erase(carried_.begin() + static_cast<std::ptrdiff_t>(ball));
   for (event::Index& left : left_) {
     if (left == event::kUnknown || left < ball) continue;
     left = left == ball ? event::kUnknown : left - 1;
@@ -291,6 +302,7 @@ void EventSolver<P>::set(const Effects& effects) {
       if (disk.start != P::Clock::ever()) tile_->motion().carry(disk, now_.ticks);
     }
     std::fill(left_.begin(), left_.end(), event::kUnknown);
+    std::fill(carried_.begin(), carried_.end(), 0U);
     if (effects.gravity) effects_.gravity = effects.gravity;
     if (effects.drag) effects_.drag = effects.drag;
   }
@@ -360,6 +372,8 @@ void EventSolver<P>::count(Measurements& measurements) const {
   const event::Counts& counts = tile_->counts();
   measurements.ball_ball += before_.ball_ball + counts.ball_ball;
   measurements.ball_wall += before_.ball_wall + counts.ball_wall;
+  measurements.joint_impacts += before_.joint_impacts + counts.joint_impacts;
+  measurements.resting_contacts += before_.resting_contacts + counts.resting_contacts;
   measurements.max_overlap =
       std::max({measurements.max_overlap, before_.max_overlap, counts.max_overlap});
 }
@@ -374,6 +388,7 @@ void EventSolver<P>::save(Scene& scene) const {
   for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = i;
   for (const event::Index slot : slot_) {
     continuation.flights.push_back(event::saved<P>(tile_->disks()[slot]));
+    continuation.flights.back().carried = tile_->motion().carried(tile_->disks()[slot]);
     const event::Index left = tile_->left(slot);
     if (left != event::kUnknown) continuation.flights.back().left = number[left];
   }

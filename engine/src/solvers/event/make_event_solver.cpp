@@ -1,9 +1,12 @@
 #include "solvers/event/make_event_solver.hpp"
 
+#include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "solvers/event/event_solver.hpp"
 #include "solvers/event/wide_physics.hpp"
+#include "state/domain.hpp"
 
 namespace carom {
 namespace {
@@ -11,6 +14,41 @@ namespace {
 template <class P>
 std::unique_ptr<Solver> make(const Scene& scene, std::vector<Ball> balls) {
   return std::make_unique<EventSolver<P>>(scene, std::move(balls));
+}
+
+bool loses_energy(const Effects& effects) {
+  return (effects.walls && effects.walls->restitution < 1) ||
+         (effects.collisions && effects.collisions->restitution < 1);
+}
+
+// At the start or later: what is set while it runs is told by the script.
+bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
+  if (loses_energy(scene.effects)) return true;
+  for (const ScriptLine& line : scene.script) {
+    const auto* set = std::get_if<command::SetEffects>(&line.command);
+    if (set != nullptr && loses_energy(set->effects)) return true;
+  }
+  if (scene.continuation) {
+    for (const SavedFlight& flight : scene.continuation->flights) {
+      if (flight.carried != 0) return true;
+    }
+  }
+  // Without losses only what lies still from the start rests.
+  const auto lies = [](const Ball& ball) {
+    return !ball.fixed && (ball.velocity.x() == 0 || ball.velocity.y() == 0);
+  };
+  const Domain domain(scene.box, scene.effects.walls.has_value());
+  return scene.effects.gravity && std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
+           for (std::size_t axis = 0; axis < 2; ++axis) {
+             const double x = ball.position[static_cast<Eigen::Index>(axis)];
+             if (domain.solid(axis) && lies(ball) &&
+                 (x == domain.lowest(axis, ball.radius) ||
+                  x == domain.highest(axis, ball.radius))) {
+               return true;
+             }
+           }
+           return false;
+         });
 }
 
 }  // namespace
@@ -25,6 +63,10 @@ std::unique_ptr<Solver> make_event_solver(const Scene& scene, std::vector<Ball> 
       return make<event::Any100>(scene, std::move(balls));
     default:
       break;
+  }
+  if (may_rest(scene, balls) && !scene.effects.drag) {
+    if (scene.effects.gravity) return make<event::FallingToRest>(scene, std::move(balls));
+    return make<event::FreeToRest>(scene, std::move(balls));
   }
   if (scene.effects.drag) return make<event::Damped>(scene, std::move(balls));
   if (scene.effects.gravity) return make<event::Falling>(scene, std::move(balls));

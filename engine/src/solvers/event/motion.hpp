@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "contact/event_impulse.hpp"
 #include "contact/event_scalar.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/physics.hpp"
@@ -17,6 +18,8 @@ struct Meeting {
   Index partner = kUnknown;
 };
 
+inline constexpr unsigned kAsleep = 3;
+
 /// Flights and impacts: pure functions of one flight or two.
 ///
 /// Holds: no result depends on when it is asked for, nor on the order of a pair.
@@ -29,6 +32,8 @@ class Motion {
   using Disk = typename P::Disk;
   using Kind = BasicKind<S>;
   using Rules = BasicRules<S>;
+  /// Gravity can press balls together that lose energy.
+  static constexpr bool kHopping = P::kRests && P::Law::kBends;
 
   explicit Motion(Rules rules);
 
@@ -41,7 +46,9 @@ class Motion {
 
   /// When two balls meet; one of them may be fixed.  `from_contact`: the flight of the one that is
   /// not fixed began with an impact of the two.
-  [[nodiscard]] Time pair_meets(const Disk& a, const Disk& b, bool from_contact = false) const;
+  /// May say never for a meeting after `until`.
+  [[nodiscard]] Time pair_meets(const Disk& a, const Disk& b, bool from_contact = false,
+                                At until = P::Clock::never()) const;
   /// When a ball meets a wall, or has flown so far that its flight starts anew.
   [[nodiscard]] Meeting<P> alone(const Disk& disk) const;
 
@@ -56,9 +63,18 @@ class Motion {
   [[nodiscard]] const Room<S>& room() const { return room_; }
   [[nodiscard]] const Kind& kind(const Disk& disk) const { return rules_.kinds[disk.kind]; }
   [[nodiscard]] bool fixed(const Disk& disk) const { return kind(disk).fixed(); }
-  [[nodiscard]] bool one_kind() const { return rules_.kinds.size() == 1; }
+  [[nodiscard]] bool one_kind() const { return plain_kinds_ == 1; }
   [[nodiscard]] double largest_radius() const { return largest_radius_; }
   [[nodiscard]] const std::array<S, 2>& periods() const { return room_.periods(); }
+
+  /// What a ball flies by.
+  [[nodiscard]] decltype(auto) law_of(const Disk& disk) const {
+    if constexpr (P::kRests) {
+      return law_.carried(kind(disk).carried);
+    } else {
+      return (law_);
+    }
+  }
 
   /// How far a place is from touching a wall (negative: beyond), and where touching leaves it.
   struct Wall {
@@ -69,7 +85,40 @@ class Motion {
   /// When it meets this wall.
   [[nodiscard]] Time wall_meets(const Disk& disk, Index wall) const;
 
+  // Contacts that rest, where P::kRests: motion_rest_body.hpp.
+  /// Nothing accelerates it along these axes: 1 for x, 2 for y.
+  [[nodiscard]] unsigned carried(const Disk& disk) const { return kind(disk).carried; }
+  void set_carried(Disk& disk, unsigned axes) const {
+    disk.kind = static_cast<Index>(disk.kind % plain_kinds_ + axes * plain_kinds_);
+  }
+  /// It lies on others, or in a corner: nothing accelerates it at all.
+  [[nodiscard]] bool asleep(const Disk& disk) const { return carried(disk) == kAsleep; }
+  /// Lets walls carry it where it touches them, is pressed to them and leaves them no more.
+  void lean_on_walls(Disk& disk) const requires(P::kRests);
+  /// The same on the very top of a fixed ball; whether that carries it.
+  bool lean_on_peg(Disk& disk, const Disk& peg) const requires(P::kRests);
+  /// The speed at which balls part that hop on each other; `reach`: of their contact.
+  [[nodiscard]] S hop_speed(const S& reach) const requires(P::kRests);
+  /// Rule 2: whether two that touch part no more: so slowly that the run cannot tell.
+  [[nodiscard]] bool stays_together(const Vec<S>& r, const Vec<S>& v, const S& reach) const
+      requires(P::kRests);
+  [[nodiscard]] bool stay_together(const Disk& a, const Disk& b) const requires(P::kRests) {
+    return stays_together(way({a.x, a.y}, {b.x, b.y}), {b.vx - a.vx, b.vy - a.vy},
+                          S(kind(a).radius + kind(b).radius));
+  }
+  /// Whether both have been hit within the clock's resolution, or little more.
+  [[nodiscard]] bool collapses(const Disk& a, const Disk& b, At now) const requires(P::kRests);
+  /// The fastest impact of the two that counts as a hop: it depends on how shortly before both have
+  /// been hit.
+  [[nodiscard]] S fastest_hop(const Disk& a, const Disk& b, At now) const requires(P::kRests);
+
  private:
+  void add_carried_kinds() requires(P::kRests);
+  [[nodiscard]] S meeting_wait(const Disk& earlier, const Disk& later, const S& reach,
+                               bool from_contact, At until) const requires(P::kRests);
+  /// What an impact of two is where they hop.
+  void hop(const Disk& a, const Disk& b, const Vec<S>& r, const S& fastest,
+           Velocities<S>& after) const requires(P::kRests);
   [[nodiscard]] Meeting<P> wall_meeting(const Disk& disk, std::size_t axis) const;
 
   Rules rules_;
@@ -77,6 +126,8 @@ class Motion {
   Room<S> room_;
   std::array<S, 2> reach_;  ///< how far along a periodic axis a flight may go
   double largest_radius_ = 0;
+  std::size_t plain_kinds_ = 1;  ///< without what carries them
+  S pull_ = 0;                   ///< gravity's size
 };
 
 }  // namespace carom::event

@@ -27,6 +27,8 @@ Motion<P>::Motion(Rules rules)
     reach_[axis] = std::min(S(period / 8), S((period / 2 - 2 * largest) * 0.4375));
   }
   largest_radius_ = static_cast<double>(largest);
+  plain_kinds_ = rules_.kinds.size();
+  if constexpr (P::kRests) add_carried_kinds();
 }
 
 template <class P>
@@ -35,7 +37,7 @@ auto Motion<P>::place(const Disk& disk, At now) const -> Vec<S> {
     if (fixed(disk)) return {disk.x, disk.y};
   }
   const S elapsed = rules_.scale.seconds(now - disk.start);
-  return Vec<S>{disk.x, disk.y} + law_.displacement(flight(disk), elapsed);
+  return Vec<S>{disk.x, disk.y} + law_of(disk).displacement(flight(disk), elapsed);
 }
 
 template <class P>
@@ -43,7 +45,7 @@ auto Motion<P>::velocity(const Disk& disk, At now) const -> Vec<S> {
   if constexpr (P::Law::kBends) {
     if (!fixed(disk)) {
       const S elapsed = rules_.scale.seconds(now - disk.start);
-      return law_.velocity(flight(disk), elapsed);
+      return law_of(disk).velocity(flight(disk), elapsed);
     }
   }
   return {disk.vx, disk.vy};
@@ -62,14 +64,15 @@ auto Motion<P>::wrapped(const Vec<S>& at) const -> Vec<S> {
 }
 
 template <class P>
-auto Motion<P>::pair_meets(const Disk& a, const Disk& b, bool from_contact) const -> Time {
+auto Motion<P>::pair_meets(const Disk& a, const Disk& b, bool from_contact,
+                           [[maybe_unused]] At until) const -> Time {
   const S reach = kind(a).radius + kind(b).radius;
   if constexpr (P::Law::kBends) {
     if (fixed(a) || fixed(b)) {
       const Disk& ball = fixed(a) ? b : a;
       const Disk& peg = fixed(a) ? a : b;
       const Vec<S> r = way({peg.x, peg.y}, {ball.x, ball.y});
-      const S wait = law_.peg_wait(r, Vec<S>{ball.vx, ball.vy}, reach, from_contact);
+      const S wait = law_of(ball).peg_wait(r, Vec<S>{ball.vx, ball.vy}, reach, from_contact);
       const Time ticks = rules_.scale.ticks(wait);
       return ticks == P::Clock::never() ? ticks : Time(ball.start + ticks);
     }
@@ -77,6 +80,10 @@ auto Motion<P>::pair_meets(const Disk& a, const Disk& b, bool from_contact) cons
   const bool swap = b.start < a.start;
   const Disk& earlier = swap ? b : a;
   const Disk& later = swap ? a : b;
+  if constexpr (kHopping) {
+    const Time ticks = rules_.scale.ticks(meeting_wait(earlier, later, reach, from_contact, until));
+    return ticks == P::Clock::never() ? ticks : Time(later.start + ticks);
+  }
   const S elapsed = rules_.scale.seconds(later.start - earlier.start);
   Relative<S> relative = relative_at_later_start(law_, flight(earlier), elapsed, flight(later));
   const std::array<S, 2>& periods = room_.periods();
@@ -106,7 +113,7 @@ auto Motion<P>::wall_meets(const Disk& disk, Index wall) const -> Time {
   const int side = (wall - kWalls) % 2 == 0 ? 1 : -1;
   const S gap = this->wall(disk, {disk.x, disk.y}, wall).gap;
   const S& v = axis == 0 ? disk.vx : disk.vy;
-  const Time wait = rules_.scale.ticks(law_.wall_wait(axis, side, gap, S(side * v)));
+  const Time wait = rules_.scale.ticks(law_of(disk).wall_wait(axis, side, gap, S(side * v)));
   return wait == P::Clock::never() ? wait : Time(disk.start + wait);
 }
 
@@ -117,8 +124,8 @@ Meeting<P> Motion<P>::wall_meeting(const Disk& disk, std::size_t axis) const {
   const S& radius = kind(disk).radius;
   const S below = x - room_.lowest(axis, radius);
   const S above = room_.highest(axis, radius) - x;
-  const S low = law_.wall_wait(axis, 1, below, v);
-  const S high = law_.wall_wait(axis, -1, above, S(-v));
+  const S low = law_of(disk).wall_wait(axis, 1, below, v);
+  const S high = law_of(disk).wall_wait(axis, -1, above, S(-v));
   const Time wait = rules_.scale.ticks(std::min(low, high));
   if (wait == P::Clock::never()) return {};
   const auto side = static_cast<Index>(2 * axis) + (high < low ? 1U : 0U);
@@ -135,7 +142,7 @@ Meeting<P> Motion<P>::alone(const Disk& disk) const {
       if (wall.time < first.time) first = wall;
     } else if (room_.periodic(axis)) {
       const S speed = absolute(axis == 0 ? disk.vx : disk.vy);
-      const S a = law_.acceleration(axis);
+      const S a = law_of(disk).acceleration(axis);
       const S longest = 2 * reach_[axis] / (speed + sqrt(S(speed * speed + 2 * a * reach_[axis])));
       const Time wait = rules_.scale.ticks(longest);
       if (wait != P::Clock::never() && disk.start + wait < first.time) {
@@ -166,8 +173,8 @@ void Motion<P>::bounce(Disk& disk, Index wall, At now) const {
   const int side = upper ? -1 : 1;
   S& x = axis == 0 ? disk.x : disk.y;
   S& v = axis == 0 ? disk.vx : disk.vy;
-  const S arrival = law_.wall_arrival(axis, side, S(side * (x - stop)), S(side * v),
-                                      rules_.scale.seconds(now - disk.start));
+  const S arrival = law_of(disk).wall_arrival(axis, side, S(side * (x - stop)), S(side * v),
+                                              rules_.scale.seconds(now - disk.start));
   carry(disk, now);
   x = stop;
   v = side * wall_impact(arrival, S(rules_.wall_restitution));
@@ -177,11 +184,22 @@ template <class P>
 double Motion<P>::strike(Disk& a, Disk& b, At now) const {
   const Kind& ka = kind(a);
   const Kind& kb = kind(b);
+  [[maybe_unused]] S fastest = -1;
+  if constexpr (kHopping) fastest = fastest_hop(a, b, now);
   if (!ka.fixed()) carry(a, now);
   if (!kb.fixed()) carry(b, now);
   const Vec<S> r = way({a.x, a.y}, {b.x, b.y});
-  const Velocities<S> after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy},
-                                          ka.inverse_mass, kb.inverse_mass, S(rules_.restitution));
+  Velocities<S> after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass,
+                                    kb.inverse_mass, S(rules_.restitution));
+  if constexpr (kHopping) {
+    if (!(fastest < 0)) hop(a, b, r, fastest, after);
+  } else if constexpr (P::kRests) {
+    const S reach = ka.radius + kb.radius;
+    if (rules_.restitution < 1 && stays_together(r, after.b - after.a, reach)) {
+      after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass,
+                          kb.inverse_mass, S(0));
+    }
+  }
   a.vx = after.a.x;
   a.vy = after.a.y;
   b.vx = after.b.x;

@@ -94,7 +94,7 @@ typename P::Time Neighbours<P>::leaving(const typename P::Disk& disk, Index i,
   const Vec<S> v = motion_.velocity(disk, now);
   S wait = 0;
   if constexpr (P::Law::kBends) {
-    const auto& law = motion_.law();
+    const auto& law = motion_.law_of(disk);
     wait = std::min({law.wall_wait(0, -1, S(skin - off.x), S(-v.x)),
                      law.wall_wait(0, 1, S(skin + off.x), v.x),
                      law.wall_wait(1, -1, S(skin - off.y), S(-v.y)),

@@ -9,8 +9,9 @@
 namespace carom::event {
 
 /// What a run of the method is compiled for: the number it computes with and the law its balls fly
-/// by.  Chosen once for a scene; nothing is asked ball by ball.
-template <class S, template <class> class FlightLaw>
+/// by, and whether contacts can come to rest.  Chosen once for a scene; nothing is asked ball by
+/// ball.
+template <class S, template <class> class FlightLaw, bool kToRest = false>
 struct Physics {
   using Scalar = S;
   using Law = FlightLaw<S>;
@@ -18,6 +19,7 @@ struct Physics {
   using Time = typename Clock::Time;
   using At = typename Clock::At;
   using Disk = BasicDisk<S>;
+  static constexpr bool kRests = kToRest;  ///< some impacts lose energy, or balls lie still
 
   static Law law(const BasicRules<S>& rules) { return law_of(rules, static_cast<Law*>(nullptr)); }
 
@@ -40,5 +42,7 @@ struct Physics {
 using Free = Physics<double, StraightLaw>;
 using Falling = Physics<double, BallisticLaw>;
 using Damped = Physics<double, DampedLaw>;
+using FreeToRest = Physics<double, StraightLaw, true>;
+using FallingToRest = Physics<double, BallisticLaw, true>;
 
 }  // namespace carom::event

@@ -12,7 +12,8 @@ namespace carom::event {
 template <class S>
 struct BasicKind {
   S radius = 0.5;
-  S inverse_mass = 1;  ///< 0: fixed
+  S inverse_mass = 1;    ///< 0: fixed
+  unsigned carried = 0;  ///< the axes along which something carries it: 1 for x, 2 for y
 
   [[nodiscard]] bool fixed() const { return inverse_mass == 0; }
 };
@@ -29,6 +30,12 @@ struct BasicRules {
   std::vector<BasicKind<S>> kinds{BasicKind<S>{}};
   double drag_rate = 0;
 };
+
+/// Whether impacts lose energy, so that contacts can come to rest.
+template <class S>
+bool can_rest(const BasicRules<S>& rules) {
+  return rules.wall_restitution < 1 || (rules.collisions && rules.restitution < 1);
+}
 
 using Kind = BasicKind<double>;
 using Rules = BasicRules<double>;

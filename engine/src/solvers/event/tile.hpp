@@ -18,10 +18,14 @@ namespace carom::event {
 struct Counts {
   std::uint64_t ball_ball = 0;
   std::uint64_t ball_wall = 0;
-  std::uint64_t renewals = 0;  ///< squares left: neighbours listed anew
-  std::uint64_t scans = 0;     ///< searches for the next impact of a ball
-  std::uint64_t vain = 0;      ///< of them, because its partner had met another
-  double max_overlap = 0;      ///< deepest overlap at an impact / smaller radius
+  std::uint64_t renewals = 0;          ///< squares left: neighbours listed anew
+  std::uint64_t scans = 0;             ///< searches for the next impact of a ball
+  std::uint64_t vain = 0;              ///< of them, because its partner had met another
+  std::uint64_t joint_impacts = 0;     ///< of several contacts at one instant
+  std::uint64_t resting_contacts = 0;  ///< came to rest
+  std::uint64_t wakes = 0;             ///< groups at rest that were hit
+  std::uint64_t settlings = 0;         ///< groups asked whether forces can carry them
+  double max_overlap = 0;              ///< deepest overlap at an impact / smaller radius
 };
 
 /// Balls and their impacts in the order of time.
@@ -66,6 +70,14 @@ class Tile {
   [[nodiscard]] const Counts& counts() const { return counts_; }
   [[nodiscard]] std::size_t bytes() const;
 
+  // Where P::kRests.
+  /// The group at rest that this ball is part of flies on from `now`.
+  void wake(Index i, At now) requires(P::kRests);
+  /// What rests on this ball, or on what it rests on, flies on from `now`.
+  void wake_around(Index i, At now) requires(P::kRests);
+  /// Contacts that rest now.
+  [[nodiscard]] std::uint64_t resting_now() const requires(P::kRests);
+
  private:
   /// Whether several pairs are looked at side by side.
   static constexpr bool kInLanes = kIsDouble<S>;
@@ -101,15 +113,35 @@ class Tile {
   [[nodiscard]] bool tied(At now);
   void meet_jointly(Index i, Index partner, At now);
   void add_member(Instant& instant, Index i, At now) const;
-  void add_contacts(Instant& instant, std::size_t member, At now) const;
+  void add_contacts(Instant& instant, std::size_t member, At now);
   [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;
+
+  // Contacts that rest: tile_rest_body.hpp.
+  void start_resting(At now) requires(P::kRests);
+  void lean(Index i) requires(P::kRests);
+  void look_again_at_woken(At now) requires(P::kRests);
+  void schedule_settling(At now) requires(P::kRests);
+  [[nodiscard]] bool hop_jointly(Instant& instant, At now) const requires(P::kRests);
+  // Groups that come to rest: tile_settling_body.hpp.
+  struct Crowd;
+  struct Group;
+  void settle_groups(At now) requires(P::kRests);
+  [[nodiscard]] bool gather_group(const Crowd& crowd, Index first, std::vector<char>& seen,
+                                  std::vector<Index>& members) const requires(P::kRests);
+  [[nodiscard]] Group describe(const Crowd& crowd, const std::vector<Index>& members) const
+      requires(P::kRests);
+  void settle_group(const Crowd& crowd, const std::vector<Index>& members,
+                    At now) requires(P::kRests);
 
   Motion<P> motion_;
   HugeVector<Disk> disks_;
   Neighbours<P> neighbours_{motion_};
   Agenda<typename P::Clock> agenda_;
   Counts counts_;
-  std::vector<Index> left_;  ///< the fixed ball a flight began at; only where balls fall on pegs
+  Time next_settling_ = P::Clock::never();
+  int settling_shift_ = 0;    ///< groups are looked at every 2^this ticks
+  std::vector<Index> woken_;  ///< and not looked at since
+  std::vector<Index> left_;   ///< the fixed ball a flight began at; only where balls fall on pegs
   mutable std::set<Time> ties_;  ///< when two impacts may share a ball
   Time instant_ = 0;             ///< of the last impact
   std::size_t at_once_ = 0;      ///< impacts at that instant

@@ -30,13 +30,14 @@ void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<In
     }
   }
   left_.clear();
-  if (pegs && P::Law::kBends) {
+  if ((pegs || P::kRests) && P::Law::kBends) {
     left_ = left;
     left_.resize(n, kUnknown);
   }
   ties_.clear();
   instant_ = now;
   at_once_ = 0;
+  if constexpr (P::kRests) start_resting(now);
   start_agenda(now);
   if (motion_.rules().collisions) {
     neighbours_.reset(disks_, now);
@@ -78,6 +79,21 @@ void Tile<P>::advance_to(At until) {
   const auto prepare = [this](std::span<const Entry> entries, std::span<const Entry> after) {
     fetch(entries, after);
   };
+  if constexpr (P::kRests) {
+    for (;;) {
+      const Time at = std::min(next_settling_, Time(until));
+      if (const Entry* next = agenda_.first(at, wanted, prepare)) {
+        const Entry entry = *next;
+        agenda_.drop_first();
+        if (wanted(entry)) next_event(entry.ball, entry.time);
+      } else if (next_settling_ <= until) {
+        next_settling_ = P::Clock::never();
+        settle_groups(at);
+      } else {
+        return;
+      }
+    }
+  }
   while (const Entry* next = agenda_.first(until, wanted, prepare)) {
     const Entry entry = *next;
     agenda_.drop_first();
@@ -123,6 +139,7 @@ void Tile<P>::rebase(At by) {
     if (disk.meets != P::Clock::never()) disk.meets -= by;
     if (disk.leaves != P::Clock::never()) disk.leaves -= by;
   }
+  if (next_settling_ != P::Clock::never()) next_settling_ -= by;
   instant_ = instant_ >= by ? Time(instant_ - by) : Time(-1);
   std::set<Time> ties;
   for (auto at = ties_.lower_bound(by); at != ties_.end(); ++at) ties.insert(*at - by);

@@ -33,6 +33,7 @@ void Tile<P>::meet_alone(Index i, Index partner, At now) {
     motion_.bounce(disks_[i], partner, now);
     ++counts_.ball_wall;
     if (!left_.empty()) left_[i] = kUnknown;
+    if constexpr (P::kRests) lean(i);
     return;
   }
   counts_.max_overlap =
@@ -41,6 +42,13 @@ void Tile<P>::meet_alone(Index i, Index partner, At now) {
   if (!left_.empty()) {
     left_[i] = motion_.fixed(disks_[partner]) ? partner : kUnknown;
     left_[partner] = kUnknown;
+  }
+  if constexpr (P::kRests) {
+    lean(i);
+    lean(partner);
+    if constexpr (!P::Law::kBends) {
+      if (motion_.stay_together(disks_[i], disks_[partner])) ++counts_.resting_contacts;
+    }
   }
 }
 
@@ -56,6 +64,7 @@ void Tile<P>::meet(Index i, At now) {
   }
   if (partner == kCarry) {
     if (!left_.empty()) left_[i] = kUnknown;
+    if constexpr (P::kRests) schedule_settling(now);
     motion_.carry(disks_[i], now);
     look_again(i, now);
     return;
@@ -63,7 +72,16 @@ void Tile<P>::meet(Index i, At now) {
   watch(now);
   const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
   if (ball) forget(partner);
-  if (tied(now)) {
+  if constexpr (P::kRests) {
+    schedule_settling(now);
+    wake(i, now);
+    if (ball) wake(partner, now);
+  }
+  bool jointly = tied(now);
+  if constexpr (P::kRests && !P::Law::kBends) {
+    jointly = jointly || (ball && motion_.collapses(disks_[i], disks_[partner], now));
+  }
+  if (jointly) {
     meet_jointly(i, partner, now);
     return;
   }
@@ -75,6 +93,7 @@ void Tile<P>::meet(Index i, At now) {
   meet_alone(i, partner, now);
   if (ball) look_again(partner, now);
   look_again(i, now);
+  if constexpr (P::kRests) look_again_at_woken(now);
   if (disks_[i].meets != now && !(ball && disks_[partner].meets == now)) return;
   // The blow is passed on at once: take it back, and resolve all that touches together.
   counts_ = counts;

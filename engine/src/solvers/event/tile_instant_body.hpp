@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/event_joint_impact.hpp"
+#include "contact/event_rest.hpp"
 #include "solvers/event/tile.hpp"
 
 namespace carom::event {
@@ -40,7 +41,13 @@ bool Tile<P>::touch(Index i, Index j, At now, const Vec<S>& r) const {
   const Disk& b = disks_[j];
   if (!(squared_gap(r, motion_.kind(a).radius + motion_.kind(b).radius) > 0)) return true;
   const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
-  return motion_.pair_meets(a, b, from_contact) == now;
+  if constexpr (P::kRests && !P::Law::kBends) {
+    if (near(r, S(motion_.kind(a).radius + motion_.kind(b).radius), S(kTouching / 32)) &&
+        motion_.collapses(a, b, now)) {
+      return true;
+    }
+  }
+  return motion_.pair_meets(a, b, from_contact, now) == now;
 }
 
 template <class P>
@@ -52,7 +59,7 @@ void Tile<P>::add_member(Instant& instant, Index i, At now) const {
 }
 
 template <class P>
-void Tile<P>::add_contacts(Instant& instant, std::size_t member, At now) const {
+void Tile<P>::add_contacts(Instant& instant, std::size_t member, At now) {
   const Index i = instant.members[member];
   const Disk& disk = disks_[i];
   const auto& rules = motion_.rules();
@@ -77,6 +84,7 @@ void Tile<P>::add_contacts(Instant& instant, std::size_t member, At now) const {
         known ? instant.places[other] : motion_.wrapped(motion_.place(disks_[j], now));
     const Vec<S> r = motion_.way(instant.places[member], there);
     if (!touch(i, j, now, r)) return;
+    if constexpr (P::kRests) wake(j, now);
     if (!known) add_member(instant, j, now);
     // Each pair once: with the later of its balls, or the one that is not fixed.
     if (other > member && !motion_.fixed(disks_[j])) return;
@@ -93,7 +101,15 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
   for (std::size_t k = 0; k < instant.members.size(); ++k) add_contacts(instant, k, now);
 
   const std::vector<Body<S>> before = instant.bodies;
-  const JointReport report = joint_impact<S>(instant.bodies, instant.contacts);
+  ++counts_.joint_impacts;
+  JointReport report;
+  bool hopped = false;
+  if constexpr (P::kRests && P::Law::kBends) hopped = hop_jointly(instant, now);
+  if (hopped) {
+    report.impacts = static_cast<int>(instant.contacts.size());
+  } else {
+    report = joint_impact<S>(instant.bodies, instant.contacts);
+  }
   std::size_t walls = 0;
   for (const typename Instant::Stop& stop : instant.stops) {
     const bool turned = !(before[stop.member].velocity == instant.bodies[stop.member].velocity);
@@ -134,6 +150,20 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
       const Index b = instant.members[static_cast<std::size_t>(contact.b)];
       if (motion_.fixed(disks_[b]) && disks_[a].start == now) left_[a] = b;
     }
+  }
+  if constexpr (P::kRests) {
+    for (const Index m : changed) lean(m);
+    if constexpr (!P::Law::kBends) {
+      for (const Contact<S>& contact : instant.contacts) {
+        if (contact.b == kWall || contact.restitution == 1) continue;
+        const Disk& a = disks_[instant.members[static_cast<std::size_t>(contact.a)]];
+        const Disk& b = disks_[instant.members[static_cast<std::size_t>(contact.b)]];
+        if (a.start == now && b.start == now && motion_.stay_together(a, b)) {
+          ++counts_.resting_contacts;
+        }
+      }
+    }
+    look_again_at_woken(now);
   }
   for (const Index m : changed) look_again(m, now);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "solvers/event/pair_lanes.hpp"
 #include "solvers/event/tile.hpp"
 
@@ -24,7 +26,12 @@ void Tile<P>::look_at(Index i, const Index* others, std::uint32_t count, At now,
 template <class P>
 void Tile<P>::look_singly(Index i, Index other, At now, Meeting<P>& best) const {
   const Disk& disk = disks_[other];
-  Time at = motion_.pair_meets(disks_[i], disk);
+  Time at{};
+  if constexpr (P::kRests) {
+    at = motion_.pair_meets(disks_[i], disk, false, std::min(best.time, disk.meets));
+  } else {
+    at = motion_.pair_meets(disks_[i], disk);
+  }
   if (at == P::Clock::never()) return;
   if (at < now) at = now;
   if (at == disk.meets && disk.partner != i) note_tie(at);
@@ -47,6 +54,12 @@ void Tile<P>::scan(Index i, At now) {
   if (motion_.fixed(me)) return;
   ++counts_.scans;
   Meeting<P> best{me.meets, kUnknown};
+  Meeting<P> alone = motion_.alone(me);
+  if constexpr (P::kRests) {
+    // First, as it leaves less to look for.
+    if (alone.time < best.time) best = alone;
+    alone = {};
+  }
   if (motion_.rules().collisions) {
     const auto& lists = neighbours_.lists();
     for (const auto* node = &lists.first(i);; node = &lists.after(*node)) {
@@ -54,7 +67,6 @@ void Tile<P>::scan(Index i, At now) {
       if (node->next == 0) break;
     }
   }
-  const Meeting<P> alone = motion_.alone(me);
   if (alone.time == best.time && alone.partner != kCarry) note_tie(alone.time);
   if (alone.time < best.time) best = alone;
   if (best.time < now) best.time = now;

@@ -1,0 +1,300 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "solvers/event/make_event_solver.hpp"
+
+namespace carom {
+namespace {
+
+Ball ball(double x, double y, double vx = 0, double vy = 0, double radius = 0.5) {
+  Ball result;
+  result.position = {x, y};
+  result.velocity = {vx, vy};
+  result.radius = radius;
+  return result;
+}
+
+Ball peg(double x, double y, double radius = 0.5) {
+  Ball result = ball(x, y, 0, 0, radius);
+  result.fixed = true;
+  return result;
+}
+
+Scene falling(double width, double height, double restitution, Vec2 gravity = {0, -9.81}) {
+  Scene scene;
+  scene.box.width = width;
+  scene.box.height = height;
+  scene.effects.walls = Walls{restitution};
+  scene.effects.collisions = Collisions{restitution};
+  scene.effects.gravity = Gravity{gravity};
+  return scene;
+}
+
+/// A run of the exact method, looked at now and then.
+class Course {
+ public:
+  Course(const Scene& scene, const std::vector<Ball>& balls)
+      : solver_(make_event_solver(scene, balls)), phases_(solver_->phases()) {}
+
+  std::vector<Ball> at(double time) {
+    if (solver_->aim(time) != Phase::kFrameDone) phases_[0].work(Share{0, 1});
+    return solver_->state();
+  }
+  Measurements measured() const {
+    Measurements result;
+    solver_->count(result);
+    return result;
+  }
+  std::uint64_t impacts() const { return measured().ball_ball + measured().ball_wall; }
+  Solver& solver() { return *solver_; }
+
+ private:
+  std::unique_ptr<Solver> solver_;
+  std::vector<Phase> phases_;
+};
+
+double speed(const Ball& b) {
+  return b.velocity.norm();
+}
+
+// Dropped from h, hop n reaches e^(2n) h, at t0 (1 + 2 (e + e^2 + ... + e^(n-1)) + e^n); it rests
+// at t0 (1 + e) / (1 - e), with t0 = sqrt(2 h / g).
+TEST(EventRest, a_dropped_ball_hops_as_high_as_it_should_and_rests_when_it_should) {
+  for (const double e : {0.3, 0.8, 0.95}) {
+    Course run(falling(10, 10, e), {ball(5, 1.5)});
+    const double fall = std::sqrt(2 / 9.81);
+    double apex = fall;
+    double half = 0;
+    for (int n = 1; n <= 20; ++n) {
+      apex += half;
+      half = fall * std::pow(e, n);
+      apex += half;
+      const double height = run.at(apex)[0].position.y() - 0.5;
+      EXPECT_NEAR(height, std::pow(e, 2 * n), 1e-12) << e << " hop " << n;
+    }
+    const double rest = fall * (1 + e) / (1 - e);
+    run.at(rest * (1 - 1e-9));
+    EXPECT_EQ(run.measured().resting_contacts, 0U) << e;
+    const std::vector<Ball> end = run.at(rest * (1 + 1e-9));
+    EXPECT_EQ(end[0].position.y(), 0.5);
+    EXPECT_EQ(end[0].velocity.y(), 0);
+    EXPECT_EQ(run.measured().resting_contacts, 1U);
+    const std::uint64_t impacts = run.impacts();
+    EXPECT_LE(impacts, 10 + 40 / -std::log(e));
+    EXPECT_EQ(run.at(1000 * rest)[0].position.y(), 0.5);
+    EXPECT_EQ(run.impacts(), impacts);
+  }
+}
+
+TEST(EventRest, a_ball_that_loses_all_rests_at_the_first_touch) {
+  Course run(falling(10, 10, 0), {ball(5, 1.5, 1)});
+  const Ball end = run.at(3)[0];
+  EXPECT_EQ(run.impacts(), 1U);
+  EXPECT_EQ(end.position.y(), 0.5);
+  EXPECT_NEAR(end.position.x(), 8, 1e-14);
+}
+
+TEST(EventRest, a_ball_that_lies_on_the_floor_stays_whatever_its_restitution) {
+  for (const double e : {0.0, 0.5, 1.0}) {
+    Course run(falling(10, 10, e), {ball(5, 0.5), ball(7, 0.5)});
+    EXPECT_EQ(run.at(50)[0].position.y(), 0.5) << e;
+    EXPECT_EQ(run.at(100)[1].position.y(), 0.5) << e;
+    EXPECT_EQ(run.impacts(), 0U) << e;
+  }
+}
+
+TEST(EventRest, any_wall_and_any_direction_of_gravity_hold_a_ball) {
+  const std::vector<Vec2> pulls{{0, 5}, {5, 0}, {-5, 0}, {3, -4}, {-3, 4}};
+  for (const Vec2& pull : pulls) {
+    Course run(falling(8, 6, 0.5, pull), {ball(4, 3)});
+    const Ball end = run.at(60)[0];
+    if (pull.x() != 0) {
+      EXPECT_EQ(end.position.x(), pull.x() < 0 ? 0.5 : 7.5);
+    }
+    if (pull.y() != 0) {
+      EXPECT_EQ(end.position.y(), pull.y() < 0 ? 0.5 : 5.5);
+    }
+    EXPECT_EQ(speed(end), 0);
+  }
+}
+
+// On the floor it glides like a free ball: v e^n after n side walls.
+TEST(EventRest, a_ball_that_rests_on_the_floor_glides_on_and_turns_at_the_side_walls) {
+  Course run(falling(10, 10, 0.5), {ball(5, 1.5, 1)});
+  const double fall = std::sqrt(2 / 9.81);
+  const Ball before = run.at(3 * fall + 0.1)[0];
+  EXPECT_EQ(before.position.y(), 0.5);
+  EXPECT_NEAR(before.position.x(), 5 + 3 * fall + 0.1, 1e-13);
+  const Ball after = run.at(4.5 + 2)[0];
+  EXPECT_EQ(after.velocity.x(), -0.5);
+  EXPECT_NEAR(after.position.x(), 9.5 - 1, 1e-13);
+  EXPECT_EQ(after.position.y(), 0.5);
+}
+
+// The lying one does not accelerate, the falling one does: the gap of the two closed forms is
+// bisected.
+TEST(EventRest, a_ball_that_falls_on_one_that_lies_meets_it_where_the_two_paths_say) {
+  const double g = 10;
+  Course run(falling(20, 20, 0.5, {0, -g}), {ball(5, 0.5, 1), ball(5.75, 6.5, 0.5)});
+  const auto gap = [&](double t) {
+    const double x = 0.75 - 0.5 * t;
+    const double y = 6 - g * t * t / 2;
+    return x * x + y * y - 1;
+  };
+  double low = 0.5;
+  double high = 1.1;
+  while (high - low > 1e-14) {
+    const double middle = (low + high) / 2;
+    (gap(middle) > 0 ? low : high) = middle;
+  }
+  run.at(low - 1e-12);
+  EXPECT_EQ(run.measured().ball_ball, 0U);
+  run.at(high + 1e-12);
+  EXPECT_GE(run.measured().ball_ball, 1U);
+}
+
+TEST(EventRest, a_ball_dropped_on_the_top_of_a_fixed_one_rests_there) {
+  Course run(falling(10, 10, 0.5), {peg(5, 3), ball(5, 5)});
+  const double rest = std::sqrt(2 / 9.81) * 3;
+  run.at(rest * 0.999);
+  EXPECT_EQ(run.measured().resting_contacts, 0U);
+  const Ball end = run.at(rest * 1.001)[1];
+  EXPECT_EQ(run.measured().resting_contacts, 1U);
+  EXPECT_NEAR(end.position.y(), 4, 1e-14);
+  EXPECT_EQ(speed(end), 0);
+  const std::uint64_t impacts = run.impacts();
+  run.at(100);
+  EXPECT_EQ(run.impacts(), impacts);
+}
+
+TEST(EventRest, a_ball_beside_the_top_of_a_fixed_one_slides_off) {
+  Course run(falling(10, 10, 0.5), {peg(5, 3), ball(5 + 1e-6, 5)});
+  EXPECT_LT(run.at(30)[1].position.y(), 1);
+}
+
+TEST(EventRest, a_ball_comes_to_rest_between_two_fixed_ones_and_between_one_and_a_wall) {
+  const double height = std::sqrt(0.75);
+  Course two(falling(10, 10, 0.4), {peg(4.5, 3), peg(5.5, 3), ball(5.1, 5, 0.3)});
+  const Ball on_two = two.at(20)[2];
+  EXPECT_NEAR(on_two.position.x(), 5, 1e-6);
+  EXPECT_NEAR(on_two.position.y(), 3 + height, 1e-6);
+  EXPECT_EQ(speed(on_two), 0);
+  Course wall(falling(10, 10, 0.4), {peg(1, 3), ball(0.5, 6)});
+  const Ball wedged = wall.at(20)[1];
+  EXPECT_EQ(wedged.position.x(), 0.5);
+  EXPECT_NEAR(wedged.position.y(), 3 + height, 1e-6);
+  EXPECT_EQ(speed(wedged), 0);
+  const std::uint64_t impacts = wall.impacts();
+  wall.at(200);
+  EXPECT_EQ(wall.impacts(), impacts);
+}
+
+std::vector<Ball> heap(std::size_t count, std::size_t columns, double spacing) {
+  std::mt19937_64 random(4);
+  const auto uniform = [&random] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
+  std::vector<Ball> balls;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto column = static_cast<double>(k % columns);
+    const auto row = static_cast<double>(k / columns);
+    balls.push_back(ball(0.6 + spacing * column + 0.1 * uniform(),
+                         0.6 + spacing * row + 0.1 * uniform(), uniform() - 0.5, uniform() - 0.5,
+                         0.4 + 0.1 * uniform()));
+  }
+  return balls;
+}
+
+double deepest_overlap(const std::vector<Ball>& balls) {
+  double deepest = 0;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double reach = balls[i].radius + balls[j].radius;
+      const double gap = (balls[i].position - balls[j].position).norm() - reach;
+      deepest = std::max(deepest, -gap / std::min(balls[i].radius, balls[j].radius));
+    }
+  }
+  return deepest;
+}
+
+TEST(EventRest, a_pile_comes_to_rest_and_costs_nothing_then) {
+  const std::vector<Ball> balls = heap(24, 5, 1.15);
+  Course run(falling(6.3, 10, 0.3), balls);
+  const std::vector<Ball> end = run.at(30);
+  for (const Ball& b : end) EXPECT_EQ(speed(b), 0);
+  EXPECT_LT(deepest_overlap(end), 1e-4);
+  EXPECT_LT(run.measured().max_overlap, 1e-4);
+  EXPECT_GT(run.measured().resting_contacts, 24U);
+  const std::uint64_t impacts = run.impacts();
+  run.at(1000);
+  EXPECT_EQ(run.impacts(), impacts);
+}
+
+TEST(EventRest, a_pile_wakes_when_it_is_hit_and_when_what_carries_it_goes) {
+  Course run(falling(6.3, 20, 0.3), heap(12, 5, 1.15));
+  run.at(30);
+  const std::uint64_t impacts = run.impacts();
+  run.solver().add(ball(3, 15));
+  const std::vector<Ball> end = run.at(60);
+  EXPECT_GT(run.impacts(), impacts);
+  for (const Ball& b : end) EXPECT_EQ(speed(b), 0);
+  std::size_t lowest = 0;
+  double before = 0;
+  for (std::size_t k = 0; k < end.size(); ++k) {
+    if (end[k].position.y() < end[lowest].position.y()) lowest = k;
+  }
+  run.solver().remove(lowest);
+  for (std::size_t k = 0; k < end.size(); ++k) before += k == lowest ? 0 : end[k].position.y();
+  double after = 0;
+  for (const Ball& b : run.at(90)) {
+    after += b.position.y();
+    EXPECT_EQ(speed(b), 0);
+  }
+  EXPECT_LE(after, before + 1e-3);
+  Effects up;
+  up.gravity = Gravity{{0, 9.81}};
+  run.solver().set(up);
+  for (const Ball& b : run.at(130)) {
+    EXPECT_GT(b.position.y(), 10);
+    EXPECT_EQ(speed(b), 0);
+  }
+}
+
+// S. McNamara, W. Young, Phys. Fluids A 4 (1992) 496; Phys. Rev. E 50 (1994) R28.
+TEST(EventRest, lines_of_free_balls_collapse_in_bounded_impacts_with_their_momentum) {
+  int collapsed = 0;
+  for (const std::size_t n : {3U, 4U, 5U, 6U, 10U}) {
+    const double count = static_cast<double>(n);
+    const double limit =
+        n == 3 ? 7 - 4 * std::sqrt(3.0) : std::pow(std::tan(std::atan(1.0) * (1 - 2 / count)), 2);
+    for (const double part : {0.2, 0.9, 0.99}) {
+      Scene scene;
+      scene.box.width = 100;
+      scene.box.height = 10;
+      scene.effects.collisions = Collisions{limit * part};
+      std::vector<Ball> balls;
+      for (std::size_t k = 0; k < n; ++k) {
+        const double at = static_cast<double>(k);
+        balls.push_back(ball(20 + 1.5 * at + 0.01 * at * at, 5, 2 * k < n ? 1 : -1));
+      }
+      balls[0].velocity.x() = 1.5;
+      double momentum = 0;
+      for (const Ball& b : balls) momentum += b.velocity.x();
+      Course run(scene, balls);
+      const std::vector<Ball> end = run.at(20);
+      double left = 0;
+      for (const Ball& b : end) left += b.velocity.x();
+      EXPECT_NEAR(left, momentum, 1e-12) << n << ' ' << part;
+      EXPECT_LT(run.impacts(), 100000U) << n << ' ' << part;
+      EXPECT_LT(deepest_overlap(end), 1e-9) << n << ' ' << part;
+      EXPECT_LT(run.measured().max_overlap, 1e-9);
+      collapsed += run.measured().resting_contacts > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(collapsed, 12);  // not every start leads there
+}
+
+}  // namespace
+}  // namespace carom
