@@ -27,6 +27,9 @@ const char* const kScenes[] = {
     R"({"box": {"width": 20, "height": 10, "periodic": ["x"]},
         "effects": {"walls": {}, "collisions": {}}, "solver": {"digits": 34},
         "fill": [{"count": 20, "radius": 0.3, "temperature": 2}], "seed": 8})",
+    R"({"box": {"width": 20, "height": 10},
+        "effects": {"walls": {}, "collisions": {}, "friction": {"balls": 0.2, "walls": 0.3}},
+        "fill": [{"count": 40, "radius": 0.3, "temperature": 2}], "seed": 9})",
 };
 
 std::string hash_at(const Scene& scene, double time) {

@@ -12,15 +12,25 @@
 namespace carom {
 namespace {
 
-Scene mixture(std::array<bool, 2> periodic, bool gravity) {
+struct Case {
+  const char* name;
+  std::array<bool, 2> periodic;
+  bool gravity;
+  bool drag = false;
+  bool friction = false;
+};
+
+Scene mixture(const Case& wanted) {
   Scene scene;
   scene.box.width = 16;
   scene.box.height = 12;
-  scene.box.periodic = periodic;
+  scene.box.periodic = wanted.periodic;
   scene.box.origin = Box::Origin::center;
   scene.effects.walls = Walls{1};
   scene.effects.collisions = Collisions{0.95};
-  if (gravity) scene.effects.gravity = Gravity{{0.25, -1.5}};
+  if (wanted.gravity) scene.effects.gravity = Gravity{{0.25, -1.5}};
+  if (wanted.drag) scene.effects.drag = Drag{0.07};
+  if (wanted.friction) scene.effects.friction = Friction{0.2, 0.3};
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
   for (int row = 0; row < 8; ++row) {
@@ -30,6 +40,7 @@ Scene mixture(std::array<bool, 2> periodic, bool gravity) {
       ball.velocity = {normal(random), normal(random)};
       ball.radius = 0.3 + 0.02 * ((row * 7 + column) % 20);
       ball.mass = 0.5 + (row + 3 * column) % 5;
+      if (wanted.friction) ball.spin = normal(random);
       ball.fixed = row == 4 && column % 4 == 1;
       scene.balls.push_back(ball);
     }
@@ -55,51 +66,47 @@ End run(const Scene& scene, double time = 6, int frames = 1) {
 }
 
 void expect_same(const End& expected, const End& got, const std::function<Vec2(Vec2)>& place,
-                 const std::function<Vec2(Vec2)>& velocity) {
+                 const std::function<Vec2(Vec2)>& velocity, double spin) {
   ASSERT_GT(expected.measured.ball_ball, 300U);
   EXPECT_EQ(expected.measured.ball_ball, got.measured.ball_ball);
   EXPECT_EQ(expected.measured.ball_wall, got.measured.ball_wall);
   for (std::size_t i = 0; i < got.balls.size(); ++i) {
     ASSERT_EQ(place(expected.balls[i].position), got.balls[i].position) << i;
     ASSERT_EQ(velocity(expected.balls[i].velocity), got.balls[i].velocity) << i;
+    ASSERT_EQ(expected.balls[i].spin * spin, got.balls[i].spin) << i;
   }
 }
 
 void transform(Scene& scene, const std::function<Vec2(Vec2)>& place,
                const std::function<Vec2(Vec2)>& velocity,
-               const std::function<Vec2(Vec2)>& acceleration) {
+               const std::function<Vec2(Vec2)>& acceleration, double spin) {
   for (Ball& ball : scene.balls) {
     ball.position = place(ball.position);
     ball.velocity = velocity(ball.velocity);
+    ball.spin *= spin;
   }
   if (scene.effects.gravity) {
     scene.effects.gravity->acceleration = acceleration(scene.effects.gravity->acceleration);
   }
 }
 
-struct Case {
-  const char* name;
-  std::array<bool, 2> periodic;
-  bool gravity;
-};
-
 class EventSymmetry : public testing::TestWithParam<Case> {
  protected:
-  Scene scene_ = mixture(GetParam().periodic, GetParam().gravity);
+  Scene scene_ = mixture(GetParam());
 };
 
 TEST_P(EventSymmetry, a_scene_mirrored_in_x_gives_the_mirrored_bits) {
   const auto mirror = [](Vec2 v) { return Vec2{-v.x(), v.y()}; };
   Scene other = scene_;
-  transform(other, mirror, mirror, mirror);
-  expect_same(run(scene_), run(other), mirror, mirror);
+  transform(other, mirror, mirror, mirror, -1);
+  expect_same(run(scene_), run(other), mirror, mirror, -1);
 }
 
 TEST_P(EventSymmetry, a_scene_mirrored_in_y_gives_the_mirrored_bits) {
   const auto mirror = [](Vec2 v) { return Vec2{v.x(), -v.y()}; };
   Scene other = scene_;
-  transform(other, mirror, mirror, mirror);
-  expect_same(run(scene_), run(other), mirror, mirror);
+  transform(other, mirror, mirror, mirror, -1);
+  expect_same(run(scene_), run(other), mirror, mirror, -1);
 }
 
 TEST_P(EventSymmetry, a_scene_with_x_and_y_swapped_gives_the_swapped_bits) {
@@ -107,8 +114,8 @@ TEST_P(EventSymmetry, a_scene_with_x_and_y_swapped_gives_the_swapped_bits) {
   Scene other = scene_;
   std::swap(other.box.width, other.box.height);
   std::swap(other.box.periodic[0], other.box.periodic[1]);
-  transform(other, swap, swap, swap);
-  expect_same(run(scene_), run(other), swap, swap);
+  transform(other, swap, swap, swap, -1);
+  expect_same(run(scene_), run(other), swap, swap, -1);
 }
 
 TEST_P(EventSymmetry, the_order_of_the_balls_changes_no_bit) {
@@ -124,7 +131,7 @@ TEST_P(EventSymmetry, the_order_of_the_balls_changes_no_bit) {
   for (std::size_t k = 0; k < order.size(); ++k) sorted[order[k]] = got.balls[k];
   got.balls = sorted;
   const auto same = [](Vec2 v) { return v; };
-  expect_same(expected, got, same, same);
+  expect_same(expected, got, same, same, 1);
 }
 
 TEST_P(EventSymmetry, lengths_times_and_masses_times_powers_of_two_give_the_same_run) {
@@ -137,19 +144,20 @@ TEST_P(EventSymmetry, lengths_times_and_masses_times_powers_of_two_give_the_same
   Scene other = scene_;
   other.box.width *= kLength;
   other.box.height *= kLength;
-  transform(other, place, velocity, acceleration);
+  transform(other, place, velocity, acceleration, 1 / kTime);
+  if (other.effects.drag) other.effects.drag->rate /= kTime;
   for (Ball& ball : other.balls) {
     ball.radius *= kLength;
     ball.mass *= kMass;
   }
-  expect_same(run(scene_), run(other, 6 * kTime), place, velocity);
+  expect_same(run(scene_), run(other, 6 * kTime), place, velocity, 1 / kTime);
 }
 
 TEST_P(EventSymmetry, frames_only_look) {
   const auto same = [](Vec2 v) { return v; };
   const End once = run(scene_);
-  expect_same(once, run(scene_, 6, 7), same, same);
-  expect_same(once, run(scene_, 6, 2000), same, same);
+  expect_same(once, run(scene_, 6, 7), same, same, 1);
+  expect_same(once, run(scene_, 6, 2000), same, same, 1);
 }
 
 // Whatever is kept beside the flights is made anew: neighbours, agenda, the order in memory.
@@ -167,15 +175,18 @@ TEST_P(EventSymmetry, setting_an_effect_to_what_it_is_changes_no_bit) {
   end.balls = solver->state();
   solver->count(end.measured);
   const auto same = [](Vec2 v) { return v; };
-  expect_same(run(scene_), end, same, same);
+  expect_same(run(scene_), end, same, same, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, EventSymmetry,
-                         testing::Values(Case{"box", {false, false}, false},
-                                         Case{"channel", {true, false}, false},
-                                         Case{"torus", {true, true}, false},
-                                         Case{"falling", {false, false}, true}),
-                         [](const auto& scene) { return scene.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, EventSymmetry,
+    testing::Values(Case{"box", {false, false}, false}, Case{"channel", {true, false}, false},
+                    Case{"torus", {true, true}, false}, Case{"falling", {false, false}, true},
+                    Case{"rubbing", {true, false}, false, false, true},
+                    Case{"falling_and_rubbing", {false, false}, true, false, true},
+                    Case{"damped", {false, true}, false, true},
+                    Case{"all", {false, false}, true, true, true}),
+    [](const auto& scene) { return scene.param.name; });
 
 }  // namespace
 }  // namespace carom

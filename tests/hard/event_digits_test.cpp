@@ -86,7 +86,7 @@ TEST_P(EventDigits, runs_of_more_digits_agree_to_the_digits_of_the_fewer) {
 INSTANTIATE_TEST_SUITE_P(Scenes, EventDigits,
                          testing::Values("gas", "channel", "mixture", "open", "ideal", "periodic",
                                          "gravity", "pegs", "pegs-and-gravity", "inelastic", "drag",
-                                         "drag-and-gravity"));
+                                         "drag-and-gravity", "friction"));
 
 template <class P>
 using Flights = std::vector<typename P::Disk>;

@@ -60,7 +60,7 @@ TEST_P(EventReference, ends_within_the_rounding_its_condition_allows_after_as_ma
 INSTANTIATE_TEST_SUITE_P(Scenes, EventReference,
                          testing::Values("gas", "channel", "mixture", "open", "ideal", "periodic",
                                          "gravity", "pegs", "pegs-and-gravity", "inelastic", "drag",
-                                         "drag-and-gravity"));
+                                         "drag-and-gravity", "friction"));
 
 }  // namespace
 }  // namespace carom

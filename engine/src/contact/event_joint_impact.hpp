@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/event_friction.hpp"
 #include "contact/event_impulse.hpp"
 #include "contact/event_nonnegative_impulses.hpp"
 
@@ -49,7 +50,11 @@ template <class S>
 class JointImpact {
  public:
   JointImpact(std::span<Body<S>> bodies, std::span<const Contact<S>> contacts)
-      : bodies_(bodies), graph_(bodies, contacts), velocity_(bodies.size()), peak_(bodies.size()) {
+      : bodies_(bodies),
+        graph_(bodies, contacts),
+        velocity_(bodies.size()),
+        peak_(bodies.size()),
+        gains_(contacts.size(), S(0)) {
     for (std::size_t k = 0; k < bodies.size(); ++k) velocity_[k] = bodies[k].velocity;
     note_peaks();
   }
@@ -68,6 +73,10 @@ class JointImpact {
     for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].velocity = velocity_[k];
     return report_;
   }
+
+  /// The impulse along the normal that each contact carried, as the change of the speed of approach
+  /// that it makes by itself; what only mends rounding is not counted.
+  const std::vector<S>& gains() const { return gains_; }
 
  private:
   using Chosen = std::vector<char>;
@@ -137,7 +146,10 @@ class JointImpact {
   void reflect_alone(std::size_t k, bool lossless) {
     const Contact<S>& c = graph_.contact(k);
     const S e = lossless ? S(1) : c.restitution;
-    if (!lossless) ++report_.impacts;
+    if (!lossless) {
+      ++report_.impacts;
+      gains_[k] = gains_[k] + (1 + e) * approach_speed(c.r, velocity(c.b) - velocity(c.a));
+    }
     if (c.b == kWall) {
       Vec<S>& v = velocity_[index(c.a)];
       S& component = c.r.x != 0 ? v.x : v.y;
@@ -182,6 +194,9 @@ class JointImpact {
     const S factor = times * (toward.rounded() / needed);
     for (std::size_t k = 0; k < totals.size(); ++k) {
       velocity_[k] = less(velocity_[k], S(factor * bodies_[k].inverse_mass), totals[k]);
+    }
+    for (std::size_t k = 0; k < gains_.size(); ++k) {
+      if (impulses[k] > 0) gains_[k] = gains_[k] - factor * impulses[k] * graph_.mobility(k);
     }
   }
 
@@ -301,6 +316,7 @@ class JointImpact {
   ContactGraph<S> graph_;
   std::vector<Vec<S>> velocity_;
   std::vector<S> peak_;
+  std::vector<S> gains_;
   JointReport report_;
 };
 

@@ -44,14 +44,8 @@ struct Unavailable {
   const char* message;
 };
 
-constexpr auto kNotForEvent =
-    "is not available with method \"event\" in this version, use \"overlap\"";
-
 /// The one list of what a scene can name and a method cannot do.
 constexpr std::array kUnavailable{
-    Unavailable{"/effects/friction", kEvent,
-                [](const Scene& s) { return flies_in_closed_form(s) && s.effects.friction; },
-                kNotForEvent},
     Unavailable{"/solver/method", kEvent,
                 [](const Scene& s) {
                   // A collapse without gravity is rare enough to be told when it comes.

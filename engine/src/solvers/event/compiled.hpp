@@ -6,6 +6,7 @@
 #include "solvers/event/motion_rest_body.hpp"
 #include "solvers/event/neighbours_body.hpp"
 #include "solvers/event/tile_body.hpp"
+#include "solvers/event/tile_friction_body.hpp"
 #include "solvers/event/tile_impact_body.hpp"
 #include "solvers/event/tile_instant_body.hpp"
 #include "solvers/event/tile_lanes_body.hpp"

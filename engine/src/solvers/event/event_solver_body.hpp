@@ -104,6 +104,7 @@ auto EventSolver<P>::flight_of(const Ball& ball) const -> Disk {
   disk.y = room.wrapped(1, ball.position.y());
   disk.vx = ball.fixed ? 0 : ball.velocity.x();
   disk.vy = ball.fixed ? 0 : ball.velocity.y();
+  if constexpr (P::kSpins) disk.spin = ball.fixed ? 0 : ball.spin;
   disk.start = now_.ticks;
   return disk;
 }
@@ -234,7 +235,9 @@ void EventSolver<P>::start() {
                              effects_.collisions ? effects_.collisions->restitution : 1,
                              effects_.walls ? effects_.walls->restitution : 1,
                              {},
-                             effects_.drag ? effects_.drag->rate : 0};
+                             effects_.drag ? effects_.drag->rate : 0,
+                             effects_.friction ? effects_.friction->balls : 0,
+                             effects_.friction ? effects_.friction->walls : 0};
   sort_by_place();
   std::map<std::pair<S, S>, event::Index> kinds;
   std::vector<Disk> disks(balls_.size());
@@ -297,6 +300,7 @@ void EventSolver<P>::set(const Effects& effects) {
     }
   }
   if (effects.collisions) effects_.collisions = effects.collisions;
+  if (effects.friction) effects_.friction = effects.friction;
   if (effects.gravity || effects.drag) {
     for (Disk& disk : flights_) {
       if (disk.start != P::Clock::ever()) tile_->motion().carry(disk, now_.ticks);
@@ -320,6 +324,7 @@ std::vector<Ball> EventSolver<P>::state() const {
     const auto v = motion.velocity(disk, now_.ticks);
     result[i].position = {static_cast<double>(at.x), static_cast<double>(at.y)};
     result[i].velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
+    if constexpr (P::kSpins) result[i].spin = static_cast<double>(disk.spin);
     for (std::size_t axis = 0; axis < 2; ++axis) {
       if (!domain_.solid(axis)) continue;
       double& x = result[i].position[static_cast<Eigen::Index>(axis)];
@@ -351,14 +356,15 @@ std::vector<ExactPosition> EventSolver<P>::exact_positions() const {
 
 template <class P>
 std::string EventSolver<P>::state_hash() const {
-  return carom::state_hash(Balls(state()));
+  return carom::state_hash(Balls(state(), effects_));
 }
 
 template <class P>
 double EventSolver<P>::energy() const {
-  const Balls balls(state());
+  const Balls balls(state(), effects_);
   const auto [gx, gy] = event::gravity_of(effects_);
-  return kinetic_energy(balls) +
+  const double spins = effects_.friction ? spin_energy(balls) : 0;
+  return kinetic_energy(balls) + spins +
          potential_energy(balls, {gx, gy}, {domain_.period[0], domain_.period[1]}, {});
 }
 

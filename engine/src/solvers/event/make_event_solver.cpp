@@ -13,6 +13,10 @@ namespace {
 
 template <class P>
 std::unique_ptr<Solver> make(const Scene& scene, std::vector<Ball> balls) {
+  if (scene.effects.friction) {
+    return std::make_unique<EventSolver<typename event::RubbingOf<P>::Type>>(scene,
+                                                                             std::move(balls));
+  }
   return std::make_unique<EventSolver<P>>(scene, std::move(balls));
 }
 
@@ -73,16 +77,20 @@ std::unique_ptr<Solver> make_event_solver(const Scene& scene, std::vector<Ball> 
   return make<event::Free>(scene, std::move(balls));
 }
 
-std::size_t event_flight_bytes(int digits) {
-  switch (digits) {
+std::size_t event_flight_bytes(const Scene& scene) {
+  const auto bytes = [&scene]<class P>(P*) {
+    return scene.effects.friction ? sizeof(typename event::RubbingOf<P>::Type::Disk)
+                                  : sizeof(typename P::Disk);
+  };
+  switch (scene.solver.digits) {
     case 34:
-      return sizeof(event::Any34::Disk);
+      return bytes(static_cast<event::Any34*>(nullptr));
     case 50:
-      return sizeof(event::Any50::Disk);
+      return bytes(static_cast<event::Any50*>(nullptr));
     case 100:
-      return sizeof(event::Any100::Disk);
+      return bytes(static_cast<event::Any100*>(nullptr));
     default:
-      return sizeof(event::Disk);
+      return bytes(static_cast<event::Free*>(nullptr));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "contact/event_friction.hpp"
 #include "contact/event_impulse.hpp"
 #include "contact/event_scalar.hpp"
 #include "solvers/event/disk.hpp"
@@ -119,6 +120,9 @@ class Motion {
   /// What an impact of two is where they hop.
   void hop(const Disk& a, const Disk& b, const Vec<S>& r, const S& fastest,
            Velocities<S>& after) const requires(P::kRests);
+  [[nodiscard]] Rubbing<S> rubbing(const Disk& disk) const requires P::kSpins;
+  void rub(Disk& a, Disk& b, const Vec<S>& r) const requires P::kSpins;
+  void rub_wall(Disk& disk, std::size_t axis, int side, const S& arrival) const requires P::kSpins;
   [[nodiscard]] Meeting<P> wall_meeting(const Disk& disk, std::size_t axis) const;
 
   Rules rules_;

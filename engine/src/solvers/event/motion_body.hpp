@@ -176,8 +176,44 @@ void Motion<P>::bounce(Disk& disk, Index wall, At now) const {
   const S arrival = law_of(disk).wall_arrival(axis, side, S(side * (x - stop)), S(side * v),
                                               rules_.scale.seconds(now - disk.start));
   carry(disk, now);
+  if constexpr (P::kSpins) rub_wall(disk, axis, side, arrival);
   x = stop;
   v = side * wall_impact(arrival, S(rules_.wall_restitution));
+}
+
+template <class P>
+Rubbing<typename P::Scalar> Motion<P>::rubbing(const Disk& disk) const requires P::kSpins {
+  return {{disk.vx, disk.vy}, disk.spin, kind(disk).radius, kind(disk).inverse_mass};
+}
+
+// Before the normal impulse, which then has the last word on whether the two still approach.
+template <class P>
+void Motion<P>::rub(Disk& a, Disk& b, const Vec<S>& r) const requires P::kSpins {
+  const Rubbing<S> one = rubbing(a);
+  const Rubbing<S> other = rubbing(b);
+  const S approach = approach_speed(r, other.velocity - one.velocity);
+  if (!(approach > 0) || (kind(a).fixed() && kind(b).fixed())) return;
+  const Rub<S> rub(one, other, r, S((1 + S(rules_.restitution)) * approach), S(rules_.friction));
+  const auto take = [](Disk& disk, const Rubbed<S>& got) {
+    disk.vx += got.velocity.x;
+    disk.vy += got.velocity.y;
+    disk.spin += got.spin;
+  };
+  take(a, rub.on(one, -1, S(1)));
+  take(b, rub.on(other, 1, S(1)));
+}
+
+template <class P>
+void Motion<P>::rub_wall(Disk& disk, std::size_t axis, int side,
+                         const S& arrival) const requires P::kSpins {
+  const Rubbing<S> ball = rubbing(disk);
+  const Rubbing<S> wall{{S(0), S(0)}, S(0), S(0), S(0)};
+  const Vec<S> towards = axis == 0 ? Vec<S>{S(-side), S(0)} : Vec<S>{S(0), S(-side)};
+  const Rub<S> rub(ball, wall, towards, S((1 + S(rules_.wall_restitution)) * -arrival),
+                   S(rules_.wall_friction));
+  const Rubbed<S> got = rub.on(ball, -1, S(1));
+  (axis == 0 ? disk.vy : disk.vx) += axis == 0 ? got.velocity.y : got.velocity.x;
+  disk.spin += got.spin;
 }
 
 template <class P>
@@ -189,6 +225,7 @@ double Motion<P>::strike(Disk& a, Disk& b, At now) const {
   if (!ka.fixed()) carry(a, now);
   if (!kb.fixed()) carry(b, now);
   const Vec<S> r = way({a.x, a.y}, {b.x, b.y});
+  if constexpr (P::kSpins) rub(a, b, r);
   Velocities<S> after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass,
                                     kb.inverse_mass, S(rules_.restitution));
   if constexpr (kHopping) {

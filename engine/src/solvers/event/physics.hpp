@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "contact/event_any_law.hpp"
 #include "contact/event_flight.hpp"
 #include "solvers/event/disk.hpp"
@@ -8,18 +10,19 @@
 
 namespace carom::event {
 
-/// What a run of the method is compiled for: the number it computes with and the law its balls fly
-/// by, and whether contacts can come to rest.  Chosen once for a scene; nothing is asked ball by
-/// ball.
-template <class S, template <class> class FlightLaw, bool kToRest = false>
+/// What a run of the method is compiled for: the number it computes with, the law its balls fly by,
+/// whether contacts can come to rest, and whether they rub and so balls have a spin.  Chosen once
+/// for a scene; nothing is asked ball by ball.
+template <class S, template <class> class FlightLaw, bool kToRest = false, bool kRubs = false>
 struct Physics {
+  static constexpr bool kSpins = kRubs;
   using Scalar = S;
   using Law = FlightLaw<S>;
   using Clock = event::Clock<S>;
   using Time = typename Clock::Time;
   using At = typename Clock::At;
-  using Disk = BasicDisk<S>;
   static constexpr bool kRests = kToRest;  ///< some impacts lose energy, or balls lie still
+  using Disk = std::conditional_t<kSpins, SpinningDisk<S>, BasicDisk<S>>;
 
   static Law law(const BasicRules<S>& rules) { return law_of(rules, static_cast<Law*>(nullptr)); }
 
@@ -44,5 +47,18 @@ using Falling = Physics<double, BallisticLaw>;
 using Damped = Physics<double, DampedLaw>;
 using FreeToRest = Physics<double, StraightLaw, true>;
 using FallingToRest = Physics<double, BallisticLaw, true>;
+
+/// The same physics with friction.
+template <class P>
+struct RubbingOf;
+template <class S, template <class> class FlightLaw, bool kToRest>
+struct RubbingOf<Physics<S, FlightLaw, kToRest>> {
+  using Type = Physics<S, FlightLaw, kToRest, true>;
+};
+using FreeRubbing = RubbingOf<Free>::Type;
+using FallingRubbing = RubbingOf<Falling>::Type;
+using DampedRubbing = RubbingOf<Damped>::Type;
+using FreeToRestRubbing = RubbingOf<FreeToRest>::Type;
+using FallingToRestRubbing = RubbingOf<FallingToRest>::Type;
 
 }  // namespace carom::event

@@ -29,6 +29,8 @@ struct BasicRules {
   double wall_restitution = 1;
   std::vector<BasicKind<S>> kinds{BasicKind<S>{}};
   double drag_rate = 0;
+  double friction = 0;  ///< of balls with each other
+  double wall_friction = 0;
 };
 
 /// Whether impacts lose energy, so that contacts can come to rest.

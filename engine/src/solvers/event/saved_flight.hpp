@@ -44,6 +44,7 @@ SavedFlight saved(const typename P::Disk& disk) {
   flight.start = text_of(disk.start);
   flight.position = {text_of(disk.x), text_of(disk.y)};
   flight.velocity = {text_of(disk.vx), text_of(disk.vy)};
+  if constexpr (P::kSpins) flight.spin = text_of(disk.spin);
   return flight;
 }
 
@@ -56,6 +57,7 @@ typename P::Disk restored(const SavedFlight& flight) {
   disk.y = number_of<S>(flight.position[1]);
   disk.vx = number_of<S>(flight.velocity[0]);
   disk.vy = number_of<S>(flight.velocity[1]);
+  if constexpr (P::kSpins) disk.spin = number_of<S>(flight.spin);
   return disk;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/event_joint_impact.hpp"
 #include "solvers/event/agenda.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/huge_pages.hpp"
@@ -112,6 +113,8 @@ class Tile {
   void note_tie(At at) const { ties_.insert(at); }
   [[nodiscard]] bool tied(At now);
   void meet_jointly(Index i, Index partner, At now);
+  [[nodiscard]] JointReport resolve(Instant& instant) const;  // tile_friction_body.hpp
+  void rub_jointly(Instant& instant) const requires P::kSpins;
   void add_member(Instant& instant, Index i, At now) const;
   void add_contacts(Instant& instant, std::size_t member, At now);
   [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;

@@ -16,6 +16,7 @@ struct Tile<P>::Instant {
   std::vector<Index> members;  ///< balls and fixed balls; the first is the one it began with
   std::vector<Vec<S>> places;
   std::vector<Body<S>> bodies;
+  std::vector<S> spins;  ///< only where balls rub
   std::vector<Contact<S>> contacts;
   struct Stop {
     std::size_t member;
@@ -56,6 +57,7 @@ void Tile<P>::add_member(Instant& instant, Index i, At now) const {
   instant.members.push_back(i);
   instant.places.push_back(motion_.wrapped(motion_.place(disk, now)));
   instant.bodies.push_back({motion_.velocity(disk, now), motion_.kind(disk).inverse_mass});
+  if constexpr (P::kSpins) instant.spins.push_back(disk.spin);
 }
 
 template <class P>
@@ -108,7 +110,7 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
   if (hopped) {
     report.impacts = static_cast<int>(instant.contacts.size());
   } else {
-    report = joint_impact<S>(instant.bodies, instant.contacts);
+    report = resolve(instant);
   }
   std::size_t walls = 0;
   for (const typename Instant::Stop& stop : instant.stops) {
@@ -124,7 +126,8 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     const Index m = instant.members[k];
     Disk& disk = disks_[m];
     if (motion_.fixed(disk)) continue;
-    const bool same = before[k].velocity == instant.bodies[k].velocity;
+    bool same = before[k].velocity == instant.bodies[k].velocity;
+    if constexpr (P::kSpins) same = same && disk.spin == instant.spins[k];
     if (same && m != i && m != partner) continue;
     unlink(m);
     forget(m);
@@ -134,6 +137,7 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     disk.y = instant.places[k].y;
     disk.vx = instant.bodies[k].velocity.x;
     disk.vy = instant.bodies[k].velocity.y;
+    if constexpr (P::kSpins) disk.spin = instant.spins[k];
     disk.start = now;
     if (!left_.empty()) left_[m] = kUnknown;
   }

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "contact/event_scalar.hpp"
+
+namespace carom::event {
+
+/// A disk that rubs: uniform, of inertia m r^2 / 2.
+template <class S>
+struct Rubbing {
+  Vec<S> velocity;
+  S spin;
+  S radius;
+  S inverse_mass;
+};
+
+/// What friction does to a disk.
+template <class S>
+struct Rubbed {
+  Vec<S> velocity;  ///< what is added to it
+  S spin;
+};
+
+/// How fast two disks approach along r; negative: they part.
+template <class S>
+S approach_speed(const Vec<S>& r, const Vec<S>& v) {
+  return -sharp_dot(r, v) / root(S(r.x * r.x + r.y * r.y));
+}
+
+/// The tangential impulse at a contact by Coulomb's law.
+///
+/// With n from a to b, t = (-n_y, n_x) and the slip u = (v_b - v_a).t - (r_a w_a + r_b w_b), the
+/// impulse along t is the one that stops the slip, -u / (3 (1/m_a + 1/m_b)), cut off at the
+/// coefficient times the normal impulse.  A wall is a disk with no spin and no inverse mass.
+/// Holds: the same bits for (b, a, -r), and mirrored or swapped bits for mirrors and swapped axes.
+template <class S>
+class Rub {
+ public:
+  /// `gain`: the normal impulse, as the change of the approach speed it makes.  REQUIRES: one of
+  /// the two can move.
+  Rub(const Rubbing<S>& a, const Rubbing<S>& b, const Vec<S>& r, const S& gain,
+      const S& coefficient)
+      : along_{-r.y, r.x}, length_(root(S(r.x * r.x + r.y * r.y))) {
+    const S slip = cross(r, b.velocity - a.velocity) / length_ -
+                   sum_of_products(a.radius, a.spin, b.radius, b.spin);
+    const S most = coefficient * gain;
+    const S wanted = -slip / 3;
+    const S cut = wanted > most ? most : (wanted < -most ? S(-most) : wanted);
+    impulse_ = cut / (a.inverse_mass + b.inverse_mass);
+  }
+
+  /// What it does to a (`side` -1) or to b (`side` 1), in so many parts of the whole.
+  Rubbed<S> on(const Rubbing<S>& disk, int side, const S& part) const {
+    const S change = part * impulse_ * disk.inverse_mass;
+    const S by_length = side * change / length_;
+    return {by_length * along_, S(-2 * change / disk.radius)};
+  }
+
+ private:
+  Vec<S> along_;  ///< t times the length of r
+  S length_;
+  S impulse_;
+};
+
+}  // namespace carom::event

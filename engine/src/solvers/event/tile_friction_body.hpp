@@ -1,0 +1,83 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "contact/event_exact_sum.hpp"
+#include "contact/event_friction.hpp"
+#include "contact/event_joint_impact.hpp"
+#include "solvers/event/tile.hpp"
+
+namespace carom::event {
+
+/// The impacts of one instant, with friction where balls rub.
+///
+/// Rule: the joint impact without friction tells what each contact carries along its normal; every
+/// contact that carries something rubs at once, at the slip it has before, by the part 1 / n of its
+/// impulse, where n is the larger number of such contacts at its two balls; then the joint impact
+/// is done.  A contact alone is an impact of two with friction, to the last bit. Holds: friction
+/// adds no energy: a ball's energy is convex in its impulses, and their parts add up to 1 at most.
+/// Sums are rounded once, so that no order is seen.
+template <class P>
+JointReport Tile<P>::resolve(Instant& instant) const {
+  if constexpr (P::kSpins) rub_jointly(instant);
+  return joint_impact<S>(instant.bodies, instant.contacts);
+}
+
+template <class P>
+void Tile<P>::rub_jointly(Instant& instant) const requires P::kSpins {
+  const auto& rules = motion_.rules();
+  std::vector<Body<S>> bodies = instant.bodies;
+  JointImpact<S> normal(bodies, instant.contacts);
+  normal.resolve();
+  const std::vector<S>& gains = normal.gains();
+
+  const auto index = [](int body) { return static_cast<std::size_t>(body); };
+  const auto moves = [&](int body) {
+    return body != kWall && instant.bodies[index(body)].inverse_mass != 0;
+  };
+  std::vector<int> rubs(bodies.size(), 0);
+  for (std::size_t k = 0; k < gains.size(); ++k) {
+    if (!(gains[k] > 0)) continue;
+    const Contact<S>& c = instant.contacts[k];
+    if (moves(c.a)) ++rubs[index(c.a)];
+    if (moves(c.b)) ++rubs[index(c.b)];
+  }
+  const auto rubbing = [&](int body) -> Rubbing<S> {
+    if (body == kWall) return {{S(0), S(0)}, S(0), S(0), S(0)};
+    const std::size_t k = index(body);
+    return {instant.bodies[k].velocity, instant.spins[k],
+            motion_.kind(disks_[instant.members[k]]).radius, instant.bodies[k].inverse_mass};
+  };
+  struct Sums {
+    ExactSum<S> x;
+    ExactSum<S> y;
+    ExactSum<S> spin;
+  };
+  std::vector<Sums> sums(bodies.size());
+  for (std::size_t k = 0; k < gains.size(); ++k) {
+    const Contact<S>& c = instant.contacts[k];
+    if (!(gains[k] > 0) || !(moves(c.a) || moves(c.b))) continue;
+    const Rubbing<S> a = rubbing(c.a);
+    const Rubbing<S> b = rubbing(c.b);
+    const S coefficient = c.b == kWall ? rules.wall_friction : rules.friction;
+    const Rub<S> rub(a, b, c.r, gains[k], coefficient);
+    const int most = std::max(moves(c.a) ? rubs[index(c.a)] : 1, moves(c.b) ? rubs[index(c.b)] : 1);
+    const auto take = [&](int body, const Rubbing<S>& disk, int side) {
+      if (!moves(body)) return;
+      const Rubbed<S> got = rub.on(disk, side, S(S(1) / most));
+      sums[index(body)].x.add(got.velocity.x);
+      sums[index(body)].y.add(got.velocity.y);
+      sums[index(body)].spin.add(got.spin);
+    };
+    take(c.a, a, -1);
+    take(c.b, b, 1);
+  }
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    Vec<S>& v = instant.bodies[k].velocity;
+    v = v + Vec<S>{sums[k].x.rounded(), sums[k].y.rounded()};
+    instant.spins[k] += sums[k].spin.rounded();
+  }
+}
+
+}  // namespace carom::event
