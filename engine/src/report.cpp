@@ -86,6 +86,7 @@ std::string to_json(const Report& report) {
                     {"relative_error", measured.relative_energy_error()}};
   json["momentum"] = {{"initial", pair(measured.momentum_initial)},
                       {"final", pair(measured.momentum_final)}};
+  json["islands_again"] = measured.islands_again;
   json["max_overlap"] = measured.max_overlap;
   json["wall_seconds"] = report.wall_seconds;
   json["phases"] = seconds_by_name(measured.phases);

@@ -5,19 +5,23 @@
 #include "solvers/event/motion_body.hpp"
 #include "solvers/event/motion_rest_body.hpp"
 #include "solvers/event/neighbours_body.hpp"
+#include "solvers/event/part_body.hpp"
 #include "solvers/event/tile_body.hpp"
 #include "solvers/event/tile_friction_body.hpp"
 #include "solvers/event/tile_impact_body.hpp"
 #include "solvers/event/tile_instant_body.hpp"
 #include "solvers/event/tile_lanes_body.hpp"
+#include "solvers/event/tile_part_body.hpp"
 #include "solvers/event/tile_rest_body.hpp"
 #include "solvers/event/tile_search_body.hpp"
 #include "solvers/event/tile_settling_body.hpp"
+#include "solvers/event/windows_body.hpp"
 
 /// The whole method compiled for one Physics: a source file for each.
-#define CAROM_COMPILE_EVENT(PHYSICS)            \
-  namespace carom {                             \
-  template class event::Motion<event::PHYSICS>; \
-  template class event::Tile<event::PHYSICS>;   \
-  template class EventSolver<event::PHYSICS>;   \
+#define CAROM_COMPILE_EVENT(PHYSICS)             \
+  namespace carom {                              \
+  template class event::Motion<event::PHYSICS>;  \
+  template class event::Tile<event::PHYSICS>;    \
+  template class event::Windows<event::PHYSICS>; \
+  template class EventSolver<event::PHYSICS>;    \
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solvers/event/tile.hpp"
+#include "solvers/event/windows.hpp"
 #include "solvers/solver.hpp"
 #include "state/domain.hpp"
 
@@ -14,11 +15,23 @@ namespace carom {
 /// time.  There is no step; a frame only looks.
 ///
 /// Holds: the same bits at any frame rate, number of workers and order in memory.
-/// Threads: one worker does the impacts; the others wait.
+/// Threads: where there are many balls and several workers they share the plane, see
+/// event::Windows, with the phases
+///
+///     islands     each worker: which of its balls the other parts need
+///     halos       each worker: takes those into its parts
+///     impacts     each worker: solves its parts over a window
+///     check       each worker: compares its copies with their owners
+///     undo        each worker: takes back what came after the first difference
+///
+/// Else one worker does the impacts and the others wait.
 template <class P>
 class EventSolver final : public Solver {
  public:
-  EventSolver(const Scene& scene, std::vector<Ball> balls);
+  using Choice = typename event::Windows<P>::Choice;
+
+  /// `choice`: how the plane is shared, where that is not left to the solver.
+  EventSolver(const Scene& scene, std::vector<Ball> balls, const Choice& choice = {});
 
   [[nodiscard]] std::vector<Phase> phases() override;
   void set_workers(std::size_t) override {}
@@ -49,6 +62,13 @@ class EventSolver final : public Solver {
   [[nodiscard]] Disk flight_of(const Ball& ball) const;
   [[nodiscard]] Moment moment(double seconds) const;
   [[nodiscard]] typename P::Clock fitting_scale() const;
+  [[nodiscard]] bool shares() const;
+  [[nodiscard]] std::size_t aim_windows();
+  [[nodiscard]] std::size_t finish(std::size_t phase);
+  void sort_again();
+  [[nodiscard]] const Disk& flight(std::size_t ball) const;
+  [[nodiscard]] const event::Motion<P>& motion() const;
+  [[nodiscard]] const event::Counts& counts() const;
   void advance();
   void land();
   void start();
@@ -64,11 +84,15 @@ class EventSolver final : public Solver {
   std::vector<unsigned> carried_;   // what carries each, where contacts can rest
   std::vector<event::Index> slot_;  // where in the tile a ball is
   typename P::Clock scale_;
-  std::unique_ptr<event::Tile<P>> tile_;
-  event::Counts before_;  // counted in tiles that are gone
+  Choice choice_;
+  bool sharing_ = false;                        // the present frame is done in windows
+  bool one_tile_ = false;                       // windows did not get on
+  std::unique_ptr<event::Tile<P>> tile_;        // all balls,
+  std::unique_ptr<event::Windows<P>> windows_;  // or those of the parts
+  std::uint64_t again_ = 0;                     // solved again by windows that are gone
+  event::Counts before_;                        // counted in tiles that are gone
   Moment now_;
   Moment target_;
-  std::uint64_t sorted_at_ = 0;  // impacts when the balls were last put in order
 };
 
 }  // namespace carom

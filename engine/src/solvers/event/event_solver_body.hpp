@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <thread>
 #include <utility>
 
 #include "carom/scene_file.hpp"
@@ -20,6 +21,7 @@ namespace event {
 
 inline constexpr double kRoomForSpeed = 4;  // of the light balls of a mixture, in thermal speeds
 inline constexpr std::size_t kManyBalls = 4000;   // from here on their order in memory matters
+inline constexpr std::size_t kFewWorkers = 16;    // for more, meeting costs more than sharing
 inline constexpr std::uint64_t kSortAfter = 100;  // impacts of each ball
 
 inline constexpr double kSamePlace = 0x1p-30;  // of the box: more than rounding can move a ball
@@ -32,10 +34,16 @@ inline std::array<double, 2> gravity_of(const Effects& effects) {
 }  // namespace event
 
 template <class P>
-EventSolver<P>::EventSolver(const Scene& scene, std::vector<Ball> balls)
+EventSolver<P>::EventSolver(const Scene& scene, std::vector<Ball> balls, const Choice& choice)
     : domain_(scene.box, has_walls(scene.effects)),
       effects_(scene.effects),
-      balls_(std::move(balls)) {
+      balls_(std::move(balls)),
+      choice_(choice) {
+  if (choice_.parts == 0) {
+    const std::size_t workers = worker_count(scene, balls_.size());
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    choice_.parts = workers > event::kFewWorkers ? 1 : std::min(workers, cores);
+  }
   for (Ball& ball : balls_) {
     if (ball.fixed) ball.velocity = {0, 0};
   }
@@ -147,11 +155,28 @@ typename P::Clock EventSolver<P>::fitting_scale() const {
 
 template <class P>
 std::vector<Phase> EventSolver<P>::phases() {
-  return {{"impacts",
-           [this](Share share) {
-             if (share.index == 0) advance();
-           },
-           [] { return Phase::kFrameDone; }}};
+  if (!windows_) {
+    choice_.parts = 1;
+    return {{"impacts",
+             [this](Share share) {
+               if (share.index == 0) advance();
+             },
+             [] { return Phase::kFrameDone; }}};
+  }
+  std::vector<Phase> phases;
+  for (const char* name : {"islands", "halos", "impacts", "check", "undo"}) {
+    const std::size_t number = phases.size();
+    phases.push_back({name,
+                      [this, number](Share share) {
+                        if (sharing_) {
+                          windows_->work(number, share);
+                        } else if (share.index == 0) {
+                          advance();
+                        }
+                      },
+                      [this, number] { return finish(number); }});
+  }
+  return phases;
 }
 
 template <class P>
@@ -161,6 +186,9 @@ std::size_t EventSolver<P>::aim(double time) {
     return Phase::kFrameDone;
   }
   target_ = wanted;
+  sharing_ = windows_ != nullptr;
+  if (sharing_) return aim_windows();
+  if (choice_.parts > 1) return event::Windows<P>::kImpacts;
   return 0;
 }
 
@@ -173,12 +201,73 @@ void EventSolver<P>::advance() {
   }
   tile_->advance_to(target_.ticks);
   now_ = target_;
-  const std::uint64_t impacts = tile_->counts().ball_ball + tile_->counts().ball_wall;
-  if (balls_.size() >= event::kManyBalls &&
-      impacts - sorted_at_ > event::kSortAfter * balls_.size()) {
+  sort_again();
+}
+
+template <class P>
+void EventSolver<P>::sort_again() {
+  const std::uint64_t impacts = counts().ball_ball + counts().ball_wall;
+  if (balls_.size() >= event::kManyBalls && impacts > event::kSortAfter * balls_.size()) {
     land();
+    one_tile_ = false;
     start();
   }
+}
+
+/// Whether the balls are many enough, and nothing comes to rest or is left at a fixed ball.
+template <class P>
+bool EventSolver<P>::shares() const {
+  if (choice_.parts < 2 || one_tile_ || !event::kIsDouble<S>) return false;
+  if (balls_.size() < choice_.least_balls || !effects_.collisions) return false;
+  if (effects_.collisions->restitution < 1) return false;
+  if (effects_.walls && effects_.walls->restitution < 1) return false;
+  return !P::Law::kBends ||
+         std::none_of(balls_.begin(), balls_.end(), [](const Ball& ball) { return ball.fixed; });
+}
+
+template <class P>
+std::size_t EventSolver<P>::aim_windows() {
+  return windows_->aim(now_.era < target_.era ? P::Clock::era() : target_.ticks);
+}
+
+template <class P>
+std::size_t EventSolver<P>::finish(std::size_t phase) {
+  if (!sharing_) return Phase::kFrameDone;
+  std::size_t next = windows_->finish(phase);
+  while (next == Phase::kFrameDone) {
+    now_.ticks = windows_->now();
+    if (windows_->stuck()) {
+      land();
+      one_tile_ = true;
+      start();
+      sharing_ = false;
+      return event::Windows<P>::kImpacts;
+    }
+    if (now_.era == target_.era) {
+      sort_again();
+      return Phase::kFrameDone;
+    }
+    windows_->rebase(P::Clock::era());
+    now_ = {now_.era + 1, 0};
+    if (target_.ticks == 0) return Phase::kFrameDone;
+    next = aim_windows();
+  }
+  return next;
+}
+
+template <class P>
+auto EventSolver<P>::flight(std::size_t ball) const -> const Disk& {
+  return windows_ ? windows_->flight(slot_[ball]) : tile_->disks()[slot_[ball]];
+}
+
+template <class P>
+const event::Motion<P>& EventSolver<P>::motion() const {
+  return windows_ ? windows_->motion() : tile_->motion();
+}
+
+template <class P>
+const event::Counts& EventSolver<P>::counts() const {
+  return windows_ ? windows_->counts() : tile_->counts();
 }
 
 // Takes the flights out of the tile, into the order of the balls.
@@ -191,17 +280,17 @@ void EventSolver<P>::land() {
   std::vector<event::Index> number(slot_.size());
   for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = static_cast<event::Index>(i);
   for (std::size_t i = 0; i < slot_.size(); ++i) {
-    flights_[i] = tile_->disks()[slot_[i]];
-    carried_[i] = tile_->motion().carried(flights_[i]);
-    const event::Index left = tile_->left(slot_[i]);
+    flights_[i] = flight(i);
+    carried_[i] = motion().carried(flights_[i]);
+    const event::Index left = windows_ ? event::kUnknown : tile_->left(slot_[i]);
     if (left != event::kUnknown) left_[i] = number[left];
   }
-  const event::Counts& counts = tile_->counts();
-  before_.ball_ball += counts.ball_ball;
-  before_.ball_wall += counts.ball_wall;
-  before_.joint_impacts += counts.joint_impacts;
-  before_.resting_contacts += counts.resting_contacts;
-  before_.max_overlap = std::max(before_.max_overlap, counts.max_overlap);
+  before_.ball_ball += counts().ball_ball;
+  before_.ball_wall += counts().ball_wall;
+  before_.joint_impacts += counts().joint_impacts;
+  before_.resting_contacts += counts().resting_contacts;
+  before_.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
+  if (windows_) again_ += windows_->solved_again();
 }
 
 // Neighbours in the plane are put next to each other in memory: no result depends on it.
@@ -254,6 +343,14 @@ void EventSolver<P>::start() {
     disks[slot_[i]] = flights_[i];
     disks[slot_[i]].kind += static_cast<event::Index>(carried_[i] * rules.kinds.size());
   }
+  if (shares()) {
+    tile_.reset();
+    windows_ = std::make_unique<event::Windows<P>>(rules, choice_);
+    windows_->reset(std::move(disks), now_.ticks);
+    flights_.clear();
+    return;
+  }
+  windows_.reset();
   tile_ = std::make_unique<event::Tile<P>>(std::move(rules));
   left_.resize(balls_.size(), event::kUnknown);
   std::vector<event::Index> left(balls_.size(), event::kUnknown);
@@ -262,7 +359,6 @@ void EventSolver<P>::start() {
   }
   tile_->reset(disks, now_.ticks, left);
   flights_.clear();
-  sorted_at_ = 0;
 }
 
 template <class P>
@@ -303,7 +399,7 @@ void EventSolver<P>::set(const Effects& effects) {
   if (effects.friction) effects_.friction = effects.friction;
   if (effects.gravity || effects.drag) {
     for (Disk& disk : flights_) {
-      if (disk.start != P::Clock::ever()) tile_->motion().carry(disk, now_.ticks);
+      if (disk.start != P::Clock::ever()) motion().carry(disk, now_.ticks);
     }
     std::fill(left_.begin(), left_.end(), event::kUnknown);
     std::fill(carried_.begin(), carried_.end(), 0U);
@@ -316,12 +412,11 @@ void EventSolver<P>::set(const Effects& effects) {
 template <class P>
 std::vector<Ball> EventSolver<P>::state() const {
   std::vector<Ball> result = balls_;
-  const event::Motion<P>& motion = tile_->motion();
   for (std::size_t i = 0; i < slot_.size(); ++i) {
     if (result[i].fixed) continue;
-    const Disk& disk = tile_->disks()[slot_[i]];
-    const auto at = motion.wrapped(motion.place(disk, now_.ticks));
-    const auto v = motion.velocity(disk, now_.ticks);
+    const Disk& disk = flight(i);
+    const auto at = motion().wrapped(motion().place(disk, now_.ticks));
+    const auto v = motion().velocity(disk, now_.ticks);
     result[i].position = {static_cast<double>(at.x), static_cast<double>(at.y)};
     result[i].velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
     if constexpr (P::kSpins) result[i].spin = static_cast<double>(disk.spin);
@@ -375,13 +470,13 @@ Vec2 EventSolver<P>::momentum() const {
 
 template <class P>
 void EventSolver<P>::count(Measurements& measurements) const {
-  const event::Counts& counts = tile_->counts();
-  measurements.ball_ball += before_.ball_ball + counts.ball_ball;
-  measurements.ball_wall += before_.ball_wall + counts.ball_wall;
-  measurements.joint_impacts += before_.joint_impacts + counts.joint_impacts;
-  measurements.resting_contacts += before_.resting_contacts + counts.resting_contacts;
+  measurements.ball_ball += before_.ball_ball + counts().ball_ball;
+  measurements.ball_wall += before_.ball_wall + counts().ball_wall;
+  measurements.joint_impacts += before_.joint_impacts + counts().joint_impacts;
+  measurements.resting_contacts += before_.resting_contacts + counts().resting_contacts;
   measurements.max_overlap =
-      std::max({measurements.max_overlap, before_.max_overlap, counts.max_overlap});
+      std::max({measurements.max_overlap, before_.max_overlap, counts().max_overlap});
+  measurements.islands_again += again_ + (windows_ ? windows_->solved_again() : 0);
 }
 
 template <class P>

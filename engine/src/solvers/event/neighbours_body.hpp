@@ -17,9 +17,7 @@ inline constexpr double kMargin = 0x1p-30;
 // Half a side that makes searching for neighbours about as dear as looking at them: measured at
 // packings 0.1, 0.5 and 0.7 of equal disks.
 template <class P>
-void Neighbours<P>::choose_skin(const Disks& disks) {
-  const Domain& domain = motion_.rules().domain;
-  const double area = (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]);
+void Neighbours<P>::choose_skin(const Disks& disks, double area) {
   double diameters = 0;
   for (const auto& disk : disks) diameters += 2 * radius(disk);
   const auto n = static_cast<double>(std::max<std::size_t>(disks.size(), 1));
@@ -30,22 +28,23 @@ void Neighbours<P>::choose_skin(const Disks& disks) {
 }
 
 template <class P>
-void Neighbours<P>::reset(const Disks& disks, typename P::At now) {
-  choose_skin(disks);
-  const Domain& domain = motion_.rules().domain;
+void Neighbours<P>::reset(const Disks& disks, typename P::At now, const Plot& plot) {
+  plot_ = plot;
+  choose_skin(disks, plot.area());
   const double range = (2 * motion_.largest_radius() + 2 * skin_) * (1 + kMargin);
   const double most = 2 * std::sqrt(static_cast<double>(disks.size())) + 1;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double length = domain.upper[axis] - domain.lower[axis];
+    const double length = plot.length(axis);
     count_[axis] = static_cast<std::uint32_t>(std::clamp(length / range, 1.0, 4 * most));
     per_length_[axis] = count_[axis] / length;
   }
   const auto n = static_cast<Index>(disks.size());
-  centres_.resize(n);
-  cell_.resize(n);
-  seen_.assign(n, 0);
+  const std::size_t slots = std::max<std::size_t>(n, plot.slots);
+  centres_.resize(slots);
+  cell_.resize(slots);
+  seen_.assign(slots, 0);
   stamp_ = 0;
-  lists_.reset(n);
+  lists_.reset(slots);
   cells_.reset(std::size_t{count_[0]} * count_[1]);
   for (Index i = 0; i < n; ++i) {
     set_square(disks[i], i, now);
@@ -57,9 +56,8 @@ void Neighbours<P>::reset(const Disks& disks, typename P::At now) {
 
 template <class P>
 std::uint32_t Neighbours<P>::cell_of(const Centre& at) const {
-  const Domain& domain = motion_.rules().domain;
   const auto along = [&](double x, std::size_t axis) {
-    const double cells = (x - domain.lower[axis]) * per_length_[axis];
+    const double cells = plot_.along(x, axis, periods_[axis]) * per_length_[axis];
     return static_cast<std::uint32_t>(std::clamp(cells, 0.0, count_[axis] - 1.0));
   };
   return along(at.y, 1) * count_[0] + along(at.x, 0);
@@ -128,7 +126,7 @@ std::uint32_t Neighbours<P>::gather(std::uint32_t cell) {
       int k = middle[axis] + step;
       if (k < 0 || k >= count) {
         // With one or two cells, what lies round the corner is there already.
-        if (!(domain.period[axis] > 0) || count < 3) continue;
+        if (!(domain.period[axis] > 0) || !plot_.whole[axis] || count < 3) continue;
         k = (k + count) % count;
       }
       at[axis][static_cast<std::size_t>(many[axis]++)] = k;
@@ -229,6 +227,33 @@ const std::vector<Index>& Neighbours<P>::renew(const Disks& disks, Index i, type
   }
   list(disks, i);
   return fresh_;
+}
+
+template <class P>
+void Neighbours<P>::add(const Disks& disks, Index i, typename P::At now) {
+  set_square(disks[i], i, now);
+  cell_[i] = cell_of(centres_[i]);
+  cells_.add(cell_[i], i);
+  list(disks, i);
+}
+
+template <class P>
+void Neighbours<P>::take_out(Index i) {
+  cells_.remove(cell_[i], i);
+  lists_.each(i, [&](Index j) { lists_.remove(j, i); });
+  lists_.clear(i);
+}
+
+template <class P>
+std::span<const Index> Neighbours<P>::around(double x, double y) {
+  const std::uint32_t candidates = gather(cell_of({x, y}));
+  return {found_.data(), candidates};
+}
+
+template <class P>
+bool Neighbours<P>::in_square(const typename P::Disk& disk, Index i, typename P::At now) const {
+  const Vec<S> off = motion_.way({S(centres_[i].x), S(centres_[i].y)}, motion_.place(disk, now));
+  return absolute(off.x) <= skin_ && absolute(off.y) <= skin_;
 }
 
 template <class P>

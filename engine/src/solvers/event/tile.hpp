@@ -10,8 +10,10 @@
 #include "solvers/event/agenda.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/huge_pages.hpp"
+#include "solvers/event/journal.hpp"
 #include "solvers/event/motion.hpp"
 #include "solvers/event/neighbours.hpp"
+#include "solvers/event/plot.hpp"
 
 namespace carom::event {
 
@@ -59,6 +61,9 @@ class Tile {
   /// `left`: the fixed ball at which each flight began, kUnknown where there is none; empty:
   /// nowhere.
   void reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left = {});
+  /// The same for the balls in a part of the plane.
+  void reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left,
+             const Plot& plot);
   /// Everything up to `until` has happened then.
   void advance_to(At until);
   /// Counts time from `by` ticks later on; nothing else changes.
@@ -79,6 +84,27 @@ class Tile {
   /// Contacts that rest now.
   [[nodiscard]] std::uint64_t resting_now() const requires(P::kRests);
 
+  // A tile of a part of the plane keeps a journal, and its balls come and go: tile_part_body.hpp.
+
+  /// From now on every change of a flight is noted; null: no longer.  The journal must outlive it.
+  void keep(Journal<P>* journal) { journal_ = journal; }
+  /// Takes a ball out; its number may be given to another.
+  void take_out(Index i);
+  /// Makes a ball forget what it meets, for it gets another flight.
+  void lift(Index i);
+  /// Gives a ball that was lifted, or not there, a flight; nothing happens to it before `settle`.
+  void put(Index i, const Disk& flight);
+  /// The balls that have been put, each once: those that were lifted and those that were not there.
+  void settle(std::span<const Index> lifted, std::span<const Index> fresh, At now);
+  /// Takes back what happened after `moment`, and its notes.
+  void undo(At moment);
+  /// Whether a wanted ball is now so near to a place that ball i, having been there, touches it
+  /// where the two have come nearer by `travel`.
+  [[nodiscard]] bool near(Index i, const Vec<S>& at, double travel,
+                          const std::vector<char>& wanted);
+  /// Nothing before `moment` will be undone any more.
+  void commit(At moment);
+
  private:
   /// Whether several pairs are looked at side by side.
   static constexpr bool kInLanes = kIsDouble<S>;
@@ -87,7 +113,7 @@ class Tile {
   // The order of time: tile_body.hpp.
   void next_event(Index i, At now);
   void announce(Index i) { agenda_.add(disks_[i].due(), i); }
-  void start_agenda(At now);
+  void start_agenda(At now, double area);
   void fetch(std::span<const Entry> entries, std::span<const Entry> after) const;
 
   // Impacts: tile_impact_body.hpp.
@@ -96,6 +122,9 @@ class Tile {
   void forget(Index i);
   void look_again(Index i, At now);
   void watch(At now);
+
+  void note_alone(Index i, const Disk& before, Index partner, const Disk& partner_before,
+                  At now) const;
 
   // Whom a ball meets next: tile_search_body.hpp, tile_lanes_body.hpp.
   void scan(Index i, At now);
@@ -115,6 +144,7 @@ class Tile {
   void meet_jointly(Index i, Index partner, At now);
   [[nodiscard]] JointReport resolve(Instant& instant) const;  // tile_friction_body.hpp
   void rub_jointly(Instant& instant) const requires P::kSpins;
+  void note_instant(const Instant& instant, At now, Index ball_ball, Index ball_wall) const;
   void add_member(Instant& instant, Index i, At now) const;
   void add_contacts(Instant& instant, std::size_t member, At now);
   [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;
@@ -144,7 +174,10 @@ class Tile {
   Time next_settling_ = P::Clock::never();
   int settling_shift_ = 0;    ///< groups are looked at every 2^this ticks
   std::vector<Index> woken_;  ///< and not looked at since
-  std::vector<Index> left_;   ///< the fixed ball a flight began at; only where balls fall on pegs
+  Journal<P>* journal_ = nullptr;
+  double overlap_ = 0;       ///< at the last impact of two
+  Time reached_ = 0;         ///< everything up to here has happened
+  std::vector<Index> left_;  ///< the fixed ball a flight began at; only where balls fall on pegs
   mutable std::set<Time> ties_;  ///< when two impacts may share a ball
   Time instant_ = 0;             ///< of the last impact
   std::size_t at_once_ = 0;      ///< impacts at that instant

@@ -17,7 +17,14 @@ Tile<P>::Tile(BasicRules<S> rules) : motion_(std::move(rules)) {}
 
 template <class P>
 void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left) {
+  reset(disks, now, left, Plot(motion_.rules().domain));
+}
+
+template <class P>
+void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left,
+                    const Plot& plot) {
   const auto n = static_cast<Index>(disks.size());
+  disks_.reserve(plot.slots);
   disks_.assign(disks.begin(), disks.end());
   bool pegs = false;
   for (Disk& disk : disks_) {
@@ -38,9 +45,10 @@ void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<In
   instant_ = now;
   at_once_ = 0;
   if constexpr (P::kRests) start_resting(now);
-  start_agenda(now);
+  reached_ = now;
+  start_agenda(now, plot.area());
   if (motion_.rules().collisions) {
-    neighbours_.reset(disks_, now);
+    neighbours_.reset(disks_, now, plot);
     for (Index i = 0; i < n; ++i) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
   }
   for (Index i = 0; i < n; ++i) scan(i, now);
@@ -49,9 +57,7 @@ void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<In
 
 // A guess of how fast entries are due: it decides how long a bucket is, and no result.
 template <class P>
-void Tile<P>::start_agenda(At now) {
-  const Domain& domain = motion_.rules().domain;
-  const double area = (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]);
+void Tile<P>::start_agenda(At now, double area) {
   double square = 0;
   double diameter = 0;
   double covered = 0;
@@ -99,6 +105,7 @@ void Tile<P>::advance_to(At until) {
     agenda_.drop_first();
     if (wanted(entry)) next_event(entry.ball, entry.time);
   }
+  reached_ = until;
 }
 
 // Asks for the memory that the events of a bucket will look at, in the order in which one needs the
@@ -140,6 +147,7 @@ void Tile<P>::rebase(At by) {
     if (disk.leaves != P::Clock::never()) disk.leaves -= by;
   }
   if (next_settling_ != P::Clock::never()) next_settling_ -= by;
+  reached_ -= by;
   instant_ = instant_ >= by ? Time(instant_ - by) : Time(-1);
   std::set<Time> ties;
   for (auto at = ties_.lower_bound(by); at != ties_.end(); ++at) ties.insert(*at - by);

@@ -36,8 +36,8 @@ void Tile<P>::meet_alone(Index i, Index partner, At now) {
     if constexpr (P::kRests) lean(i);
     return;
   }
-  counts_.max_overlap =
-      std::max(counts_.max_overlap, motion_.strike(disks_[i], disks_[partner], now));
+  overlap_ = motion_.strike(disks_[i], disks_[partner], now);
+  counts_.max_overlap = std::max(counts_.max_overlap, overlap_);
   ++counts_.ball_ball;
   if (!left_.empty()) {
     left_[i] = motion_.fixed(disks_[partner]) ? partner : kUnknown;
@@ -65,7 +65,9 @@ void Tile<P>::meet(Index i, At now) {
   if (partner == kCarry) {
     if (!left_.empty()) left_[i] = kUnknown;
     if constexpr (P::kRests) schedule_settling(now);
+    const Disk flight = disks_[i];
     motion_.carry(disks_[i], now);
+    if (journal_ != nullptr) journal_->note(i, flight, disks_[i], now, {});
     look_again(i, now);
     return;
   }
@@ -94,7 +96,10 @@ void Tile<P>::meet(Index i, At now) {
   if (ball) look_again(partner, now);
   look_again(i, now);
   if constexpr (P::kRests) look_again_at_woken(now);
-  if (disks_[i].meets != now && !(ball && disks_[partner].meets == now)) return;
+  if (disks_[i].meets != now && !(ball && disks_[partner].meets == now)) {
+    if (journal_ != nullptr) note_alone(i, before, partner, partner_before, now);
+    return;
+  }
   // The blow is passed on at once: take it back, and resolve all that touches together.
   counts_ = counts;
   const auto take_back = [this](Index k, const Disk& flight) {
@@ -120,6 +125,7 @@ void Tile<P>::next_event(Index i, At now) {
     return;
   }
   ++counts_.renewals;
+  if (journal_ != nullptr) journal_->note_renewal(i);
   const std::vector<Index>& fresh = neighbours_.renew(disks_, i, now);
   Meeting<P> best{disks_[i].meets, kUnknown};
   look_at(i, fresh.data(), static_cast<std::uint32_t>(fresh.size()), now, best);

@@ -1,0 +1,185 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "carom/crew.hpp"
+#include "carom/session.hpp"
+#include "solvers/event/event_solver.hpp"
+#include "support/scenes.hpp"
+
+namespace carom {
+namespace {
+
+struct Case {
+  std::string name;
+  Scene scene;
+  double time;
+};
+
+/// What a run came to: where all balls are, to the last bit, and what was counted.
+struct Outcome {
+  std::string state_hash;
+  std::uint64_t ball_ball = 0;
+  std::uint64_t ball_wall = 0;
+  double max_overlap = 0;
+
+  bool operator==(const Outcome&) const = default;
+};
+
+struct Run {
+  std::size_t parts = 1;
+  double window = 0;  ///< seconds, kept; 0: chosen, and adapted
+  std::size_t workers = 1;
+  double frame_rate = 30;
+};
+
+template <class P>
+Outcome run(const Case& c, const Run& how, std::uint64_t* again = nullptr) {
+  EventSolver<P> solver(c.scene, c.scene.balls, {how.parts, 0, how.window, how.window == 0});
+  Crew crew(how.workers, solver.phases());
+  const auto go_to = [&](double time) {
+    const std::size_t first = solver.aim(time);
+    if (first != Phase::kFrameDone) crew.do_frame(first);
+  };
+  for (int frame = 1; frame < c.time * how.frame_rate; ++frame) go_to(frame / how.frame_rate);
+  go_to(c.time);
+  Measurements measured;
+  solver.count(measured);
+  if (again != nullptr) *again += measured.islands_again;
+  return {solver.state_hash(), measured.ball_ball, measured.ball_wall, measured.max_overlap};
+}
+
+Outcome run(const Case& c, const Run& how, std::uint64_t* again = nullptr) {
+  return c.scene.effects.gravity ? run<event::Falling>(c, how, again)
+                                 : run<event::Free>(c, how, again);
+}
+
+Scene falling() {
+  Scene scene = test::walled_gas(24, 40, 0.4);
+  scene.effects.gravity = Gravity{{0.1, -0.5}};
+  return scene;
+}
+
+Scene two_sizes() {
+  Scene scene = test::gas(30, 30, 0.6);
+  for (std::size_t i = 0; i < scene.balls.size(); i += 3) {
+    scene.balls[i].radius = 0.25;
+    scene.balls[i].mass = 0.125;
+  }
+  for (std::size_t i = 7; i < scene.balls.size(); i += 50) {
+    scene.balls[i].fixed = true;
+    scene.balls[i].velocity = {0, 0};
+  }
+  return scene;
+}
+
+// All balls meet at the same instants, many at a time, in every part and across every border.
+Scene in_step() {
+  Scene scene = test::walled_gas(1, 1, 0.5);
+  scene.balls.clear();
+  scene.box.width = 48;
+  scene.box.height = 40;
+  for (int row = 0; row < 20; ++row) {
+    for (int column = 0; column < 24; ++column) {
+      Ball ball;
+      ball.position = {2.0 * column + 1, 2.0 * row + 1};
+      ball.velocity = {(column + row) % 2 == 0 ? 1.0 : -1.0, row % 3 == 0 ? 0.5 : -0.5};
+      scene.balls.push_back(ball);
+    }
+  }
+  return scene;
+}
+
+// A blow runs along touching balls from one end of the box to the other, through all parts.
+Scene chain() {
+  Scene scene = in_step();
+  scene.balls.clear();
+  scene.box.width = 64;
+  scene.box.height = 8;
+  for (int i = 0; i < 50; ++i) scene.balls.push_back(Ball{{i + 8.0, 4}});
+  scene.balls.push_back(Ball{{2, 4}, {3, 0}});
+  scene.balls.push_back(Ball{{30, 6.5}, {0.3, 0.7}});
+  scene.balls.push_back(Ball{{50, 1.5}, {-0.3, 0.7}});
+  return scene;
+}
+
+// One ball crosses many parts while the others hardly move.
+Scene bullet() {
+  Scene scene = test::gas(30, 30, 0.3);
+  scene.balls[435].velocity = {4000, 1500};
+  return scene;
+}
+
+std::vector<Case> cases() {
+  return {{"gas", test::gas(36, 40, 0.5), 1},
+          {"thin gas", test::gas(36, 40, 0.05), 8},
+          {"dense and walled", test::walled_gas(30, 34, 0.82), 0.3},
+          {"falling", falling(), 1.5},
+          {"two sizes and fixed balls", two_sizes(), 0.7},
+          {"in step", in_step(), 2},
+          {"chain", chain(), 30},
+          {"bullet", bullet(), 0.2}};
+}
+
+TEST(EventWindows, AnyPartsAndWorkersGiveTheBitsOfOneTile) {
+  for (const Case& c : cases()) {
+    const Outcome expected = run(c, {});
+    EXPECT_GT(expected.ball_ball, 100U) << c.name;
+    for (const std::size_t parts : {2, 3, 4, 7}) {
+      for (const std::size_t workers : {1, 2, 3, 7}) {
+        if (workers > parts && workers != 7) continue;
+        EXPECT_EQ(run(c, {parts, 0, workers}), expected)
+            << c.name << ", " << parts << " parts, " << workers << " workers";
+      }
+    }
+  }
+}
+
+TEST(EventWindows, WindowsOfAnyLengthGiveTheSameBits) {
+  constexpr double kFrame = 0.1;
+  for (const Case& c : cases()) {
+    if (c.name == "bullet") continue;
+    const Outcome expected = run(c, {});
+    std::uint64_t again = 0;
+    for (const double window : {0.01 * kFrame, 0.1 * kFrame, 0.5 * kFrame, kFrame, 10 * kFrame}) {
+      EXPECT_EQ(run(c, {4, window, 2, 1 / kFrame}, &again), expected)
+          << c.name << ", windows of " << window;
+      EXPECT_EQ(run(c, {3, window, 1, 1 / (10 * kFrame)}, &again), expected)
+          << c.name << ", windows of " << window << ", long frames";
+    }
+    EXPECT_TRUE(again > 0 || c.name == "in step") << c.name << ": nothing was ever undone";
+  }
+}
+
+TEST(EventWindows, AnyFrameRateGivesTheSameBits) {
+  const Case gas{"gas", test::gas(36, 40, 0.5), 1};
+  const Case drop{"falling", falling(), 1};
+  for (const Case& c : {gas, drop}) {
+    const Outcome expected = run(c, {});
+    for (const double rate : {1.0, 7.0, 60.0, 333.3, 1000.0}) {
+      EXPECT_EQ(run(c, {2, 0, 2, rate}), expected) << c.name << ", rate " << rate;
+    }
+  }
+}
+
+// Enough balls that the solver shares the plane by itself.
+TEST(EventWindows, WorkersOfASessionGiveTheSameBits) {
+  Scene scene = test::gas(70, 60, 0.4);
+  scene.solver.method = Method::event;
+  scene.script = {{0.11, command::Remove{1000}}, {0.2, command::Remove{}}};
+  std::string expected;
+  for (const std::size_t workers : {1, 2, 3, 7, 40}) {
+    scene.workers = workers;
+    Session session(scene);
+    for (const double time : {0.05, 0.1, 0.12, 0.2, 0.5}) session.advance_clock_to(time);
+    if (workers == 1) expected = session.simulation().state_hash();
+    EXPECT_EQ(session.simulation().state_hash(), expected) << workers << " workers";
+    EXPECT_EQ(session.simulation().measure().phases.size(),
+              workers == 1 || workers == 40 ? 1U : 5U);
+  }
+}
+
+}  // namespace
+}  // namespace carom
