@@ -49,7 +49,7 @@ class Part {
   /// Of all flights it has had for some time.
   [[nodiscard]] double fastest_square() const { return journal_.fastest_square(); }
   /// What its own balls have gone through since `advance` was told to begin.
-  [[nodiscard]] const JournalShare& impacts() const { return impacts_; }
+  [[nodiscard]] const JournalShare& impacts() const { return journal_.sum(); }
   /// Flights that began since then, those of copies too.
   [[nodiscard]] std::size_t events() const { return journal_.entries().size(); }
 
@@ -97,8 +97,7 @@ class Part {
   std::vector<Index> ball_;
   std::vector<std::uint32_t> owner_;
   std::vector<char> owned_;
-  std::vector<char> shared_;  // owned, and others may have copies
-  std::vector<char> rim_;     // listed in rims_
+  std::vector<char> rim_;  // listed in rims_
   std::vector<std::uint32_t> stamp_;
   std::vector<Index> cursor_;  // the entry to compare next, where the stamp is this turn's
 
@@ -114,7 +113,6 @@ class Part {
   std::vector<Index> copies_entries_;  // entries of copies
   Ticks until_ = 0;
   Ticks differs_ = kNever;
-  JournalShare impacts_;
 };
 
 }  // namespace carom::event

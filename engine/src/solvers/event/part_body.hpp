@@ -55,11 +55,11 @@ void Part<P>::start(const std::vector<Disk>& disks, std::size_t more, Ticks now)
   stamp_.assign(disks.size(), 0);
   cursor_.assign(disks.size(), 0);
   rim_.assign(disks.size(), 0);
-  shared_.assign(disks.size(), 1);
   owned_.clear();
   rims_.clear();
   for (const std::uint32_t owner : owner_) owned_.push_back(owner == number_ ? 1 : 0);
   for (Index slot = 0; slot < disks.size(); ++slot) {
+    journal_.set_role(slot, owned_[slot] != 0 ? Journal<P>::kShared : Journal<P>::kCopy);
     if (owned_[slot] != 0) own(slot);
   }
   depth_ = -std::numeric_limits<double>::infinity();  // unknown
@@ -75,6 +75,7 @@ void Part<P>::own(Index slot) {
 template <class P>
 void Part<P>::offer(const Regions& regions, double halo, double travelled, Ticks now) {
   for (auto& offers : offers_) offers.clear();
+  journal_.clear();
   const Motion<P>& motion = tile_.motion();
   depth_ -= travelled;
   const bool all = !(depth_ > halo);
@@ -85,6 +86,7 @@ void Part<P>::offer(const Regions& regions, double halo, double travelled, Ticks
     for (Index slot = 0; slot < ball_.size(); ++slot) {
       rim_[slot] = 0;
       if (owned_[slot] == 0) continue;
+      journal_.set_role(slot, Journal<P>::kOwned);
       const Disk& disk = tile_.disks()[slot];
       const Vec<double> v = motion.velocity(disk, now);
       square = std::max(square, v.x * v.x + v.y * v.y);
@@ -99,13 +101,13 @@ void Part<P>::offer(const Regions& regions, double halo, double travelled, Ticks
     rims_[kept++] = slot;
     const Disk& disk = tile_.disks()[slot];
     const Vec<double> at = motion.wrapped(motion.place(disk, now));
-    shared_[slot] = 0;
+    journal_.set_role(slot, Journal<P>::kOwned);
     if (regions.outside(number_, at) <= -halo) continue;
     const auto owner = static_cast<std::uint32_t>(regions.of(at));
     for (std::size_t part = 0; part < offers_.size(); ++part) {
       if (part == number_ && owner == number_) continue;
       if (part != owner && regions.outside(part, at) > halo) continue;
-      shared_[slot] = 1;
+      journal_.set_role(slot, Journal<P>::kShared);
       offers_[part].push_back({disk, ball_[slot], owner});
     }
   }
@@ -124,7 +126,6 @@ Index Part<P>::slot_for(Index ball) {
     ball_.push_back(ball);
     owner_.push_back(0);
     owned_.push_back(0);
-    shared_.push_back(1);
     rim_.push_back(0);
     stamp_.push_back(0);
     cursor_.push_back(0);
@@ -195,8 +196,8 @@ void Part<P>::admit(const std::vector<const Part*>& parts, Ticks now) {
       }
       owner_[slot] = offer.owner;
       owned_[slot] = offer.owner == number_ ? 1 : 0;
+      journal_.set_role(slot, owned_[slot] != 0 ? Journal<P>::kShared : Journal<P>::kCopy);
       if (owned_[slot] != 0) {
-        shared_[slot] = 1;
         own(slot);
       } else {
         copies_.push_back(slot);
@@ -227,22 +228,17 @@ template <class P>
 void Part<P>::publish() {
   news_.clear();
   copies_entries_.clear();
-  impacts_ = {};
   const auto& entries = journal_.entries();
-  for (std::size_t k = 0; k < entries.size(); ++k) {
+  for (const Index k : journal_.border()) {
     const auto& entry = entries[k];
-    if (owned_[entry.ball] == 0) {
-      copies_entries_.push_back(static_cast<Index>(k));
+    if (journal_.role(entry.ball) == Journal<P>::kCopy) {
+      copies_entries_.push_back(k);
       continue;
     }
-    impacts_.ball_ball_halves += entry.share.ball_ball_halves;
-    impacts_.ball_wall += entry.share.ball_wall;
-    impacts_.overlap = std::max(impacts_.overlap, entry.share.overlap);
-    if (shared_[entry.ball] == 0) continue;
     news_.push_back({entry.next == Journal<P>::kNone
                          ? typename Journal<P>::Flight(tile_.disks()[entry.ball])
                          : entries[entry.next].before,
-                     entry.time, entry.share.group, ball_[entry.ball]});
+                     entry.time, journal_.group(k), ball_[entry.ball]});
   }
 }
 
@@ -251,7 +247,7 @@ template <class P>
 bool Part<P>::agrees(const News& news, Index slot) const {
   if (cursor_[slot] == Journal<P>::kNone) return false;
   const auto& entry = journal_.entries()[cursor_[slot]];
-  if (entry.time != news.time || entry.share.group != news.group) return false;
+  if (entry.time != news.time || journal_.group(cursor_[slot]) != news.group) return false;
   return news.after == (entry.next == Journal<P>::kNone
                             ? typename Journal<P>::Flight(tile_.disks()[slot])
                             : journal_.entries()[entry.next].before);

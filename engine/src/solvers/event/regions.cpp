@@ -46,10 +46,11 @@ std::size_t share_of(const std::vector<double>& begins, double x) {
 
 }  // namespace
 
-Regions::Regions(const Domain& domain, std::size_t regions, std::vector<Vec<double>> places)
+Regions::Regions(const Domain& domain, std::size_t regions, const std::vector<Vec<double>>& places)
     : domain_(domain) {
   const auto [columns, rows] = shape(domain, regions);
   std::vector<double> xs;
+  xs.reserve(places.size());
   for (const Vec<double>& at : places) xs.push_back(at.x);
   columns_ = cuts(std::move(xs), columns);
   std::vector<std::vector<double>> ys(columns);

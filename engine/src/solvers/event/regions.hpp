@@ -15,7 +15,7 @@ namespace carom::event {
 /// Holds: every point is in one region.
 class Regions {
  public:
-  Regions(const Domain& domain, std::size_t regions, std::vector<Vec<double>> places);
+  Regions(const Domain& domain, std::size_t regions, const std::vector<Vec<double>>& places);
 
   [[nodiscard]] std::size_t size() const { return regions_.size(); }
   /// The region of a place in the box.
