@@ -18,10 +18,9 @@
 #include "solvers/event/windows_body.hpp"
 
 /// The whole method compiled for one Physics: a source file for each.
-#define CAROM_COMPILE_EVENT(PHYSICS)             \
-  namespace carom {                              \
-  template class event::Motion<event::PHYSICS>;  \
-  template class event::Tile<event::PHYSICS>;    \
-  template class event::Windows<event::PHYSICS>; \
-  template class EventSolver<event::PHYSICS>;    \
+#define CAROM_COMPILE_EVENT(PHYSICS)            \
+  namespace carom {                             \
+  template class event::Motion<event::PHYSICS>; \
+  template class event::Tile<event::PHYSICS>;   \
+  template class EventSolver<event::PHYSICS>;   \
   }

@@ -62,9 +62,13 @@ class EventSolver final : public Solver {
   [[nodiscard]] Disk flight_of(const Ball& ball) const;
   [[nodiscard]] Moment moment(double seconds) const;
   [[nodiscard]] typename P::Clock fitting_scale() const;
+  /// In more digits flights are so dear that there are never enough balls.
+  static constexpr bool kShares = event::kIsDouble<S>;
+
+  [[nodiscard]] std::vector<Phase> phases_of_windows() requires kShares;
   [[nodiscard]] bool shares() const;
-  [[nodiscard]] std::size_t aim_windows();
-  [[nodiscard]] std::size_t finish(std::size_t phase);
+  [[nodiscard]] std::size_t aim_windows() requires kShares;
+  [[nodiscard]] std::size_t finish(std::size_t phase) requires kShares;
   void sort_again();
   [[nodiscard]] const Disk& flight(std::size_t ball) const;
   [[nodiscard]] const event::Motion<P>& motion() const;

@@ -84,7 +84,7 @@ void EventSolver<P>::take_flights(const Scene& scene) {
 template <class P>
 void EventSolver<P>::refuse_other_places(const Scene& scene) const {
   const std::vector<Ball> balls = state();
-  const event::Motion<P>& motion = tile_->motion();
+  const event::Motion<P>& motion = this->motion();
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const Vec2& said = scene.balls[i].position;
     const Vec2& is = balls[i].position;
@@ -155,14 +155,19 @@ typename P::Clock EventSolver<P>::fitting_scale() const {
 
 template <class P>
 std::vector<Phase> EventSolver<P>::phases() {
-  if (!windows_) {
-    choice_.parts = 1;
-    return {{"impacts",
-             [this](Share share) {
-               if (share.index == 0) advance();
-             },
-             [] { return Phase::kFrameDone; }}};
+  if constexpr (kShares) {
+    if (windows_) return phases_of_windows();
   }
+  choice_.parts = 1;
+  return {{"impacts",
+           [this](Share share) {
+             if (share.index == 0) advance();
+           },
+           [] { return Phase::kFrameDone; }}};
+}
+
+template <class P>
+std::vector<Phase> EventSolver<P>::phases_of_windows() requires kShares {
   std::vector<Phase> phases;
   for (const char* name : {"islands", "halos", "impacts", "check", "undo"}) {
     const std::size_t number = phases.size();
@@ -186,8 +191,10 @@ std::size_t EventSolver<P>::aim(double time) {
     return Phase::kFrameDone;
   }
   target_ = wanted;
-  sharing_ = windows_ != nullptr;
-  if (sharing_) return aim_windows();
+  if constexpr (kShares) {
+    sharing_ = windows_ != nullptr;
+    if (sharing_) return aim_windows();
+  }
   if (choice_.parts > 1) return event::Windows<P>::kImpacts;
   return 0;
 }
@@ -217,7 +224,7 @@ void EventSolver<P>::sort_again() {
 /// Whether the balls are many enough, and nothing comes to rest or is left at a fixed ball.
 template <class P>
 bool EventSolver<P>::shares() const {
-  if (choice_.parts < 2 || one_tile_ || !event::kIsDouble<S>) return false;
+  if (choice_.parts < 2 || one_tile_ || !kShares) return false;
   if (balls_.size() < choice_.least_balls || !effects_.collisions) return false;
   if (effects_.collisions->restitution < 1) return false;
   if (effects_.walls && effects_.walls->restitution < 1) return false;
@@ -226,12 +233,12 @@ bool EventSolver<P>::shares() const {
 }
 
 template <class P>
-std::size_t EventSolver<P>::aim_windows() {
+std::size_t EventSolver<P>::aim_windows() requires kShares {
   return windows_->aim(now_.era < target_.era ? P::Clock::era() : target_.ticks);
 }
 
 template <class P>
-std::size_t EventSolver<P>::finish(std::size_t phase) {
+std::size_t EventSolver<P>::finish(std::size_t phase) requires kShares {
   if (!sharing_) return Phase::kFrameDone;
   std::size_t next = windows_->finish(phase);
   while (next == Phase::kFrameDone) {
@@ -257,17 +264,26 @@ std::size_t EventSolver<P>::finish(std::size_t phase) {
 
 template <class P>
 auto EventSolver<P>::flight(std::size_t ball) const -> const Disk& {
-  return windows_ ? windows_->flight(slot_[ball]) : tile_->disks()[slot_[ball]];
+  if constexpr (kShares) {
+    if (windows_) return windows_->flight(slot_[ball]);
+  }
+  return tile_->disks()[slot_[ball]];
 }
 
 template <class P>
 const event::Motion<P>& EventSolver<P>::motion() const {
-  return windows_ ? windows_->motion() : tile_->motion();
+  if constexpr (kShares) {
+    if (windows_) return windows_->motion();
+  }
+  return tile_->motion();
 }
 
 template <class P>
 const event::Counts& EventSolver<P>::counts() const {
-  return windows_ ? windows_->counts() : tile_->counts();
+  if constexpr (kShares) {
+    if (windows_) return windows_->counts();
+  }
+  return tile_->counts();
 }
 
 // Takes the flights out of the tile, into the order of the balls.
@@ -290,7 +306,9 @@ void EventSolver<P>::land() {
   before_.joint_impacts += counts().joint_impacts;
   before_.resting_contacts += counts().resting_contacts;
   before_.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
-  if (windows_) again_ += windows_->solved_again();
+  if constexpr (kShares) {
+    if (windows_) again_ += windows_->solved_again();
+  }
 }
 
 // Neighbours in the plane are put next to each other in memory: no result depends on it.
@@ -343,12 +361,14 @@ void EventSolver<P>::start() {
     disks[slot_[i]] = flights_[i];
     disks[slot_[i]].kind += static_cast<event::Index>(carried_[i] * rules.kinds.size());
   }
-  if (shares()) {
-    tile_.reset();
-    windows_ = std::make_unique<event::Windows<P>>(rules, choice_);
-    windows_->reset(std::move(disks), now_.ticks);
-    flights_.clear();
-    return;
+  if constexpr (kShares) {
+    if (shares()) {
+      tile_.reset();
+      windows_ = std::make_unique<event::Windows<P>>(rules, choice_);
+      windows_->reset(std::move(disks), now_.ticks);
+      flights_.clear();
+      return;
+    }
   }
   windows_.reset();
   tile_ = std::make_unique<event::Tile<P>>(std::move(rules));
@@ -440,10 +460,10 @@ std::vector<ExactPosition> EventSolver<P>::exact_positions() const {
     } while (rest != 0);
     return result;
   };
-  const event::Motion<P>& motion = tile_->motion();
+  const event::Motion<P>& motion = this->motion();
   std::vector<ExactPosition> result(slot_.size());
   for (std::size_t i = 0; i < slot_.size(); ++i) {
-    const auto at = motion.wrapped(motion.place(tile_->disks()[slot_[i]], now_.ticks));
+    const auto at = motion.wrapped(motion.place(flight(i), now_.ticks));
     result[i] = {parts(at.x), parts(at.y)};
   }
   return result;
@@ -476,7 +496,10 @@ void EventSolver<P>::count(Measurements& measurements) const {
   measurements.resting_contacts += before_.resting_contacts + counts().resting_contacts;
   measurements.max_overlap =
       std::max({measurements.max_overlap, before_.max_overlap, counts().max_overlap});
-  measurements.islands_again += again_ + (windows_ ? windows_->solved_again() : 0);
+  measurements.islands_again += again_;
+  if constexpr (kShares) {
+    if (windows_) measurements.islands_again += windows_->solved_again();
+  }
 }
 
 template <class P>
@@ -487,10 +510,10 @@ void EventSolver<P>::save(Scene& scene) const {
   continuation.tick = static_cast<double>(scale_.tick());
   std::vector<std::size_t> number(slot_.size());
   for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = i;
-  for (const event::Index slot : slot_) {
-    continuation.flights.push_back(event::saved<P>(tile_->disks()[slot]));
-    continuation.flights.back().carried = tile_->motion().carried(tile_->disks()[slot]);
-    const event::Index left = tile_->left(slot);
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    continuation.flights.push_back(event::saved<P>(flight(i)));
+    continuation.flights.back().carried = motion().carried(flight(i));
+    const event::Index left = windows_ ? event::kUnknown : tile_->left(slot_[i]);
     if (left != event::kUnknown) continuation.flights.back().left = number[left];
   }
 }
