@@ -10,5 +10,6 @@ int play(const Options& options);
 int run(const Options& options);
 int accuracy(const Options& options);
 int check(const Options& options);
+int verify(const Options& options);
 
 }  // namespace carom

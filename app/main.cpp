@@ -19,6 +19,8 @@ int obey(const carom::Options& options) {
       return carom::accuracy(options);
     case carom::Options::Command::check:
       return carom::check(options);
+    case carom::Options::Command::verify:
+      return carom::verify(options);
     case carom::Options::Command::print:
       carom::print(options.text);
       return 0;

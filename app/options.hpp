@@ -19,7 +19,7 @@ class UsageError : public std::runtime_error {
 
 /// What the command line asks for.
 struct Options {
-  enum class Command { play, run, accuracy, check, print };
+  enum class Command { play, run, accuracy, check, verify, print };
 
   Command command = Command::play;
   std::string text;                 ///< print: the help or the version
@@ -51,6 +51,10 @@ struct Options {
   std::string json;                ///< files, as above
   std::string csv;
   std::string plot;  ///< .svg or .png
+
+  // verify, which takes json and seed too
+  std::string case_name;  ///< empty: all
+  bool thorough = false;  ///< the long versions
 };
 
 /// Reads the arguments, without the program's name.  Errors: UsageError.

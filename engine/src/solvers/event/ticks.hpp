@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -33,6 +34,7 @@ class Clock<double> {
   using Time = Ticks;
   using At = Ticks;  ///< a time that is handed over
   static constexpr int kBits = 55;
+  static constexpr int kSlowest = 900;  ///< binary orders of magnitude that a double has room for
 
   static constexpr Time never() { return kNever; }
   static constexpr Time ever() { return kEver; }
@@ -43,7 +45,8 @@ class Clock<double> {
   Clock() = default;
   /// REQUIRES: `crossing` > 0, the shortest time in which something crosses the box.
   explicit Clock(double crossing)
-      : tick_(std::ldexp(1.0, std::ilogb(crossing) - kBits)), per_second_(1 / tick_) {}
+      : tick_(std::ldexp(1.0, std::clamp(std::ilogb(crossing), -kSlowest, kSlowest) - kBits)),
+        per_second_(1 / tick_) {}
 
   /// REQUIRES: a power of two.
   static Clock of_tick(double tick) {

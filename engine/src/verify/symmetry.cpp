@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+
+#include "carom/scene_file.hpp"
+#include "scene/random.hpp"
+#include "verify/cases.hpp"
+#include "verify/runs.hpp"
+#include "verify/transform.hpp"
+
+namespace carom::hard {
+
+namespace {
+
+double scaled_bits(const Trial& trial) {
+  const Scene base = listed(trial.scene);
+  const std::vector<Ball> expected = run(base, base.duration).balls;
+  scene::Random random(trial.seed, 2);
+  const auto power = [&random] {
+    return std::ldexp(1.0, static_cast<int>(random.uniform() * 61) - 30);
+  };
+  double worst = 0;
+  for (int k = 0; k < 8; ++k) {
+    const double length = power();
+    const double time = power();
+    const double mass = power();
+    const Scene scene = scaled(base, length, time, mass);
+    const std::vector<Ball> found = run(scene, scene.duration).balls;
+    worst = std::max(worst, different(found, scaled(expected, length, time, mass)));
+  }
+  return worst;
+}
+
+double mirrored_bits(const Trial& trial) {
+  const Scene base = listed(trial.scene);
+  const std::vector<Ball> expected = run(base, base.duration).balls;
+  double worst = 0;
+  for (const Mirror mirror : {Mirror::x, Mirror::y, Mirror::diagonal}) {
+    const std::vector<Ball> found = run(mirrored(base, mirror), base.duration).balls;
+    worst = std::max(worst, different(found, mirrored(expected, mirror)));
+  }
+  return worst;
+}
+
+double relabelled_bits(const Trial& trial) {
+  Scene scene = listed(trial.scene);
+  const std::vector<Ball> expected = run(scene, scene.duration).balls;
+  const std::vector<Ball> start = scene.balls;
+  double worst = 0;
+  for (std::uint64_t k = 0; k < 4; ++k) {
+    const Shuffle shuffle(start.size(), 4 * trial.seed + k);
+    scene.balls = shuffle.there(start);
+    worst = std::max(worst, different(shuffle.back(run(scene, scene.duration).balls), expected));
+  }
+  return worst;
+}
+
+double crew_bits(const Trial& trial) {
+  Scene scene = listed(trial.scene);
+  scene.workers = 1;
+  const std::vector<Ball> expected = run(scene, scene.duration).balls;
+  double worst = 0;
+  for (const std::size_t workers : {2, 3, 7, 0}) {
+    scene.per_ball = workers == 0;
+    if (workers == 0) {
+      scene.workers.reset();
+    } else {
+      scene.workers = workers;
+    }
+    worst = std::max(worst, different(run(scene, scene.duration).balls, expected));
+  }
+  return worst;
+}
+
+double stopped_bits(const Trial& trial) {
+  Scene scene = listed(trial.scene);
+  scene.workers = 1;
+  const std::vector<Ball> expected = run(scene, scene.duration).balls;
+  scene::Random random(trial.seed, 3);
+  double worst = 0;
+  for (int k = 0; k < 4; ++k) {
+    Simulation first(scene);
+    first.advance_to(random.uniform() * scene.duration);
+    const Scene saved = parse_scene(write_scene(first.save()), "saved");
+    worst = std::max(worst, different(run(saved, scene.duration).balls, expected));
+  }
+  return worst;
+}
+
+/// Looked at in frames of random lengths on the way, or only at the end.
+double watched_bits(const Trial& trial) {
+  Scene scene = listed(trial.scene);
+  scene.workers = 1;
+  const std::vector<Ball> expected = run(scene, scene.duration).balls;
+  scene::Random random(trial.seed, 4);
+  double worst = 0;
+  for (int k = 0; k < 4; ++k) {
+    Simulation simulation(scene);
+    const double frame = scene.duration / (2 + 400 * random.uniform());
+    for (double time = frame; time < scene.duration; time += frame) simulation.advance_to(time);
+    simulation.advance_to(scene.duration);
+    worst = std::max(worst, different(simulation.state(), expected));
+  }
+  return worst;
+}
+
+constexpr auto kBits = "balls that differ in a bit";
+
+}  // namespace
+
+std::vector<Case> symmetry_cases() {
+  return {
+      {"scaled",
+       {{Method::event, kBits, 0, scaled_bits}, {Method::overlap, kBits, 0, scaled_bits}}},
+      {"mirrored",
+       {{Method::event, "balls that differ in a bit, mirrored", 0, mirrored_bits},
+        {Method::event, "balls that differ in a bit, shuffled", 0, relabelled_bits}}},
+      {"order",
+       {{Method::event, "differ in a bit by workers", 0, crew_bits},
+        {Method::overlap, "differ in a bit by workers", 0, crew_bits},
+        {Method::event, "differ in a bit by frames", 0, watched_bits},
+        {Method::overlap, "differ in a bit by frames", 0, watched_bits},
+        {Method::event, "differ in a bit, stopped", 0, stopped_bits},
+        {Method::overlap, "differ in a bit, stopped", 0, stopped_bits}}},
+  };
+}
+
+}  // namespace carom::hard

@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "verify/cases.hpp"
+#include "verify/runs.hpp"
+
+namespace carom::hard {
+
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+
+/// By how many the collisions with masses 1 and 100^k miss the digits of pi.
+/// Source: G. Galperin, Playing pool with pi, Regul. Chaotic Dyn. 8 (2003) 375.
+double pi_miscount(const Trial& trial) {
+  double missed = 0;
+  double mass = 1;
+  const int most = trial.thorough ? 8 : 6;
+  for (int k = 0; k <= most; ++k, mass *= 100) {
+    const double count = std::ceil(std::numbers::pi / std::atan(std::sqrt(1 / mass))) - 1;
+    const Outcome outcome =
+        run(with_balls(trial.scene, {ball(4, 1, 0, 0), ball(8, 1, -1, 0, 0.5, mass)}), 50);
+    const auto found = static_cast<double>(outcome.measured.ball_ball + outcome.measured.ball_wall);
+    missed += std::abs(found - count);
+  }
+  return missed;
+}
+
+/// How far the numbers of hits of the bullet are from one at the ball and one at the wall.
+double bullet_hits(const Trial& trial) {
+  const double speed = trial.scene.balls[0].velocity.x();
+  const Measurements at_ball = run(trial.scene, (58.0 + 50.0) / speed).measured;
+  const Measurements at_wall = run(trial.scene, (58.0 + 59.0) / speed).measured;
+  const auto off = [](std::uint64_t found, double wanted) {
+    return std::abs(static_cast<double>(found) - wanted);
+  };
+  return off(at_ball.ball_ball, 1) + off(at_ball.ball_wall, 0) + off(at_wall.ball_ball, 1) +
+         off(at_wall.ball_wall, 1);
+}
+
+/// How far a ball gets out of the box, in parts of its radius.
+double bullet_outside(const Trial& trial) {
+  Simulation simulation(trial.scene);
+  double worst = 0;
+  for (int frame = 0; frame <= 60; ++frame) {
+    simulation.advance_to(frame / 30.0);
+    for (const Ball& each : simulation.state()) {
+      const Vec2 inner = trial.scene.box.size() - Vec2{each.radius, each.radius};
+      const double out = std::max({each.radius - each.position.x(), each.radius - each.position.y(),
+                                   each.position.x() - inner.x(), each.position.y() - inner.y()});
+      worst = std::max(worst, out / each.radius);
+    }
+  }
+  return worst;
+}
+
+/// A ball flies past one at rest with an impact parameter of 1 -+ 10^-k contact distances.
+struct Graze {
+  Scene scene;
+  double within;  ///< how much nearer than the contact distance it passes, in parts of it
+};
+
+template <class Measure>
+double worst_graze(const Trial& trial, double side, Measure measure) {
+  double worst = 0;
+  for (int k = 1; k <= 15; ++k) {
+    const double height = 1 - side * std::pow(10.0, -k);
+    const Scene scene = with_balls(trial.scene, {ball(-8, height, 1, 0), ball(0, 0, 0, 0)});
+    worst = std::max(worst, measure(run(scene, 16), 1 - height));
+  }
+  return worst;
+}
+
+double graze_hits(const Trial& trial) {
+  const double hit = worst_graze(trial, 1, [](const Outcome& outcome, double) {
+    return std::abs(static_cast<double>(outcome.measured.ball_ball) - 1);
+  });
+  const double miss = worst_graze(trial, -1, [](const Outcome& outcome, double) {
+    return static_cast<double>(outcome.measured.ball_ball);
+  });
+  return hit + miss;
+}
+
+/// The one at rest leaves along the normal with the cosine of its angle, sqrt(d (2 - d)), d the
+/// part of the contact distance by which it is hit.  In units of 16 u / d.
+double graze_deflection(const Trial& trial) {
+  return worst_graze(trial, 1, [](const Outcome& outcome, double d) {
+    const double expected = std::sqrt(d * (2 - d));
+    const double found = outcome.balls[1].velocity.norm();
+    return std::abs(found - expected) / expected / (16 * kUnit / d);
+  });
+}
+
+/// A ball flies a million diameters to one at rest and stops where it touches: the error of its
+/// place in parts of the way, which is that of the contact time, in units of 4 u.
+double far_contact(const Trial& trial) {
+  double worst = 0;
+  for (const double origin : {0.0, 0x1p30}) {
+    for (const double way : {1e3, 1e6}) {
+      const Scene scene = with_balls(
+          trial.scene, {ball(origin, origin, 1, 0), ball(origin + way + 1, origin, 0, 0)});
+      const Outcome outcome = run(scene, 1.5 * way);
+      const double stop = outcome.balls[0].position.x() - origin;
+      const double gone = outcome.balls[1].position.x() - (origin + way + 1);
+      // What the places themselves are rounded to is no error of the time.
+      const double rounding = origin > 0 ? origin * 2 * kUnit : 0;
+      const double error = std::max({std::abs(stop - way), std::abs(gone - way / 2)}) - rounding;
+      worst = std::max(worst, error / way / (4 * kUnit));
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::vector<Case> timing_cases() {
+  return {
+      {"pi", {{Method::event, "collisions miscounted", 0, pi_miscount}}},
+      {"bullet",
+       {{Method::event, "hits too many or too few", 0, bullet_hits},
+        {Method::overlap, "out of the box, in radii", 0, bullet_outside},
+        {Method::overlap, "hits too many or too few", 0, bullet_hits, "it tunnels"}}},
+      {"graze",
+       {{Method::event, "hits too many or too few", 0, graze_hits},
+        {Method::event, "deflection, in 16 u / distance", 1, graze_deflection}}},
+      {"far", {{Method::event, "contact time, in 4 u", 1, far_contact}}},
+  };
+}
+
+}  // namespace carom::hard
