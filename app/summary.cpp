@@ -44,6 +44,11 @@ std::string to_summary(const Report& report) {
                                     measured.energy_initial));
   text += row("energy error", fmt::format("{:.2e} relative", measured.relative_energy_error()));
   text += row("max overlap", fmt::format("{:.2e} of the smaller radius", measured.max_overlap));
+  if (measured.missed_hits > 0) {
+    text += row("missed hits", fmt::format("{} or more: balls passed through each other between "
+                                           "two steps, take a smaller one",
+                                           measured.missed_hits));
+  }
   text += row("wall clock", fmt::format("{:.3f} s", report.wall_seconds));
   text += costs("phase", measured.phases);
   text += costs("effect", measured.effects);

@@ -88,6 +88,7 @@ std::string to_json(const Report& report) {
                       {"final", pair(measured.momentum_final)}};
   json["islands_again"] = measured.islands_again;
   json["max_overlap"] = measured.max_overlap;
+  json["missed_hits"] = measured.missed_hits;
   json["wall_seconds"] = report.wall_seconds;
   json["phases"] = seconds_by_name(measured.phases);
   json["effects"] = costs_by_name(measured.effects);

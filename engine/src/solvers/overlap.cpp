@@ -107,6 +107,8 @@ void OverlapSolver::fly(Share share) {
     const Stopwatch stopwatch(timed(), desk.seconds.of<Attraction>());
     effects::kick(balls_, step_ / 2, begin, end);
   }
+  desk.bullets.clear();
+  if (collides()) find_bullets(balls_, begin, end, step_, smallest_radius_, desk.bullets);
   for (std::size_t i = begin; i < end; i += Flight::kBlock) {
     const std::size_t block_end = std::min(i + Flight::kBlock, end);
     if (rule_.wall_friction > 0) {
@@ -175,8 +177,15 @@ void OverlapSolver::note_moves(std::size_t begin, std::size_t end, Desk& desk) c
   for (const double lane : farthest) desk.moved_square = std::max(desk.moved_square, lane);
 }
 
+void OverlapSolver::count_missed_hits() {
+  for (const Desk& desk : desks_) {
+    if (!desk.bullets.empty()) missed_ += count_missed(balls_, domain_, step_, desk.bullets);
+  }
+}
+
 std::size_t OverlapSolver::after_flight() {
   if (!collides()) return after_impacts();
+  count_missed_hits();
   if (!many() || !list_is_stale()) return detect_;
   const Stopwatch stopwatch(timed(), desks_.front().seconds.of<Collisions>());
   build_grid();
@@ -350,6 +359,7 @@ void OverlapSolver::renew_rules() {
     rule_.wall_friction = effects_.friction->walls;
   }
   forget_pairs();
+  smallest_radius_ = balls_.size() > 0 ? balls_.radius.minCoeff() : 0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double along = acceleration[Balls::index(axis)];
     rule_.wall_rest_speed[axis] = effects::rest_speed(along, step_, rule_.wall_restitution);
@@ -378,6 +388,7 @@ double OverlapSolver::energy() const {
 }
 
 void OverlapSolver::count(Measurements& measurements) const {
+  measurements.missed_hits += missed_;
   EffectSeconds seconds;
   for (const Desk& desk : desks_) {
     measurements.ball_ball += desk.impacts.ball_ball;

@@ -8,6 +8,7 @@
 
 #include "contact/cell_grid.hpp"
 #include "contact/groups.hpp"
+#include "contact/missed.hpp"
 #include "contact/pair_list.hpp"
 #include "effects/collisions.hpp"
 #include "effects/flight.hpp"
@@ -69,6 +70,7 @@ class OverlapSolver final : public Solver {
   struct alignas(128) Desk {
     PairList neighbours;
     std::vector<Pair> touching;
+    std::vector<Bullet> bullets;
     effects::ImpactCount impacts;
     double deepest = 0;
     double moved_square = 0;  // of the ball that has moved farthest since the list was built
@@ -77,6 +79,7 @@ class OverlapSolver final : public Solver {
 
   void fly(Share share);
   void fly(std::size_t begin, std::size_t end, Desk& desk, effects::Struck* struck);
+  void count_missed_hits();
   void note_moves(std::size_t begin, std::size_t end, Desk& desk) const;
   void search(Share share);
   void detect(Share share);
@@ -113,7 +116,9 @@ class OverlapSolver final : public Solver {
   std::uint64_t steps_ = 0;   // since step_origin_
   std::uint64_t target_ = 0;  // the step to stop at
   std::uint64_t taken_ = 0;   // since this solver was made
-  bool pull_known_ = false;   // the pull is that of the present places
+  std::uint64_t missed_ = 0;  // hits that lay between two steps
+  double smallest_radius_ = 0;
+  bool pull_known_ = false;  // the pull is that of the present places
   bool in_step_ = false;
   Turns turns_;
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "state/balls.hpp"
+#include "state/domain.hpp"
+
+namespace carom {
+
+/// A ball that moves so far in a step that it could pass another one unseen, as it was before.
+struct Bullet {
+  std::size_t ball = 0;
+  Vec2 position{0, 0};
+  Vec2 velocity{0, 0};
+};
+
+/// Notes which of the balls [begin, end) move farther in a step than two of the smallest touch.
+void find_bullets(const Balls& balls, std::size_t begin, std::size_t end, double step,
+                  double smallest_radius, std::vector<Bullet>& bullets);
+
+/// How many balls the bullets passed through on their ways, which touch them neither before nor
+/// after the step: straight ways, sent back by solid walls without loss.
+///
+/// Holds: at least so many; of a way that is sent back very often, only the first pieces count.
+std::uint64_t count_missed(const Balls& balls, const Domain& domain, double step,
+                           const std::vector<Bullet>& bullets);
+
+}  // namespace carom
