@@ -15,7 +15,7 @@ struct KeyHelp {
   std::string_view help;
 };
 
-inline constexpr std::array<KeyHelp, 17> kKeyHelp{{
+inline constexpr std::array<KeyHelp, 20> kKeyHelp{{
     {"space p", "pause, and go on"},
     {".", "one frame while paused"},
     {"a", "add a ball at a free place"},
@@ -31,6 +31,9 @@ inline constexpr std::array<KeyHelp, 17> kKeyHelp{{
     {"d", "drag off and on"},
     {"f", "friction off and on"},
     {"t", "attraction off and on"},
+    {"m", "the other method, overlap or event"},
+    {"e", "what this run costs, and how wrong it is"},
+    {"E", "beside it an exact run: its balls as '+'"},
     {"?", "this list, its next page, and away"},
     {"q", "quit"},
 }};
