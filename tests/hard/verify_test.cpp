@@ -34,8 +34,8 @@ TEST(HardCases, HaveEachASceneThatSaysWhatItIsAbout) {
   EXPECT_THROW(hard_scene("no such case"), std::invalid_argument);
 }
 
-INSTANTIATE_TEST_SUITE_P(Verify, Hard, testing::ValuesIn(hard_cases()), [](const auto& info) {
-  std::string name = info.param.name;
+INSTANTIATE_TEST_SUITE_P(Verify, Hard, testing::ValuesIn(hard_cases()), [](const auto& each) {
+  std::string name = each.param.name;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });

@@ -3,8 +3,30 @@
 
 namespace carom {
 
+namespace {
+
+// Balls that lose energy under gravity crowd together: until they rest they have ever more impacts
+// in ever less time.
+bool will_pile_up(const Scene& scene) {
+  const Effects& effects = scene.effects;
+  if (!effects.gravity || !effects.collisions) return false;
+  const bool loses =
+      effects.collisions->restitution < 1 || (effects.walls && effects.walls->restitution < 1);
+  std::size_t moving = 0;
+  for (const Ball& ball : scene.balls) moving += ball.fixed ? 0 : 1;
+  for (const Fill& fill : scene.fills) moving += fill.count;
+  return loses && moving > 1;
+}
+
+}  // namespace
+
 MethodChoice choose_method(const Scene& scene) {
   if (scene.solver.method) return {*scene.solver.method, "the scene names it"};
+  const bool wide = scene.solver.digits > 16;
+  if (will_pile_up(scene) && !wide) {
+    return {Method::overlap,
+            "balls that lose energy pile up under gravity, which event pays dearly"};
+  }
   const std::vector<Problem> obstacles = scene::find_unavailable(scene, Method::event);
   if (obstacles.empty()) return {Method::event, "it can take the scene"};
   return {Method::overlap, "event cannot take " + obstacles.front().place};

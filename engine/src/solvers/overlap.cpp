@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "contact/skin.hpp"
@@ -359,7 +360,8 @@ void OverlapSolver::renew_rules() {
     rule_.wall_friction = effects_.friction->walls;
   }
   forget_pairs();
-  smallest_radius_ = balls_.size() > 0 ? balls_.radius.minCoeff() : 0;
+  smallest_radius_ = std::numeric_limits<double>::infinity();
+  for (const double radius : balls_.radius) smallest_radius_ = std::min(smallest_radius_, radius);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double along = acceleration[Balls::index(axis)];
     rule_.wall_rest_speed[axis] = effects::rest_speed(along, step_, rule_.wall_restitution);

@@ -204,7 +204,7 @@ void Part<P>::admit(const std::vector<const Part*>& parts, Ticks now) {
       }
     }
   }
-  tile_.settle(lifted, fresh, now);
+  tile_.resume(lifted, fresh, now);
 }
 
 template <class P>
@@ -217,7 +217,7 @@ void Part<P>::advance(Ticks from, Ticks until) {
     tile_.put(correction.slot, correction.flight);
     lifted.push_back(correction.slot);
   }
-  if (!lifted.empty()) tile_.settle(lifted, {}, from);
+  if (!lifted.empty()) tile_.resume(lifted, {}, from);
   corrections_.clear();
   tile_.advance_to(until);
   until_ = until;
@@ -263,7 +263,7 @@ void Part<P>::correct(Index slot, Ticks differs, const Part& owner, double speed
   const Motion<P>& motion = tile_.motion();
   const Vec<double> at = motion.wrapped(motion.place(disk, differs));
   const double travel = speed * motion.rules().scale.seconds(until_ - differs);
-  if (tile_.near(slot, at, travel, owned_)) differs_ = std::min(differs_, differs);
+  if (tile_.is_near(slot, at, travel, owned_)) differs_ = std::min(differs_, differs);
 }
 
 template <class P>

@@ -92,16 +92,16 @@ class Tile {
   void take_out(Index i);
   /// Makes a ball forget what it meets, for it gets another flight.
   void lift(Index i);
-  /// Gives a ball that was lifted, or not there, a flight; nothing happens to it before `settle`.
+  /// Gives a ball that was lifted, or not there, a flight; nothing happens to it before `resume`.
   void put(Index i, const Disk& flight);
   /// The balls that have been put, each once: those that were lifted and those that were not there.
-  void settle(std::span<const Index> lifted, std::span<const Index> fresh, At now);
+  void resume(std::span<const Index> lifted, std::span<const Index> fresh, At now);
   /// Takes back what happened after `moment`, and its notes.
   void undo(At moment);
   /// Whether a wanted ball is now so near to a place that ball i, having been there, touches it
   /// where the two have come nearer by `travel`.
-  [[nodiscard]] bool near(Index i, const Vec<S>& at, double travel,
-                          const std::vector<char>& wanted);
+  [[nodiscard]] bool is_near(Index i, const Vec<S>& at, double travel,
+                             const std::vector<char>& wanted);
   /// Nothing before `moment` will be undone any more.
   void commit(At moment);
 

@@ -46,7 +46,7 @@ void Tile<P>::put(Index i, const Disk& flight) {
 }
 
 template <class P>
-void Tile<P>::settle(std::span<const Index> lifted, std::span<const Index> fresh, At now) {
+void Tile<P>::resume(std::span<const Index> lifted, std::span<const Index> fresh, At now) {
   if (motion_.rules().collisions) {
     for (const Index i : fresh) neighbours_.add(disks_, i, now);
     for (const Index i : lifted) {
@@ -89,11 +89,11 @@ void Tile<P>::undo(At moment) {
   }
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-  settle(changed, {}, moment);
+  resume(changed, {}, moment);
 }
 
 template <class P>
-bool Tile<P>::near(Index i, const Vec<S>& at, double travel, const std::vector<char>& wanted) {
+bool Tile<P>::is_near(Index i, const Vec<S>& at, double travel, const std::vector<char>& wanted) {
   if (!motion_.rules().collisions) return false;
   if (!neighbours_.sees(travel)) return true;
   const S radius = motion_.kind(disks_[i]).radius;
