@@ -36,6 +36,7 @@ const std::vector<Layer> kLayers{
      {"carom/", "simulation", "state/", "contact/", "effects/", "solvers/", "crew/",
       "scene/available.hpp", "Eigen/", "fmt/"}},
     {"engine/src/accuracy/", {"carom/", "accuracy/", "Eigen/", "fmt/"}},
+    {"engine/src/verify/", {"carom/", "verify/", "scene/random.hpp", "Eigen/", "fmt/"}},
     {"engine/src/report", {"carom/", "fmt/", "nlohmann/"}},
     {"engine/src/", {"carom/", "state/", "Eigen/", "fmt/"}},
     {"app/view/", {"carom/", "view/", "fmt/", "curses.h", "term.h"}},

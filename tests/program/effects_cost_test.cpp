@@ -95,7 +95,8 @@ TEST_F(Cost, OfMemoryIsThatOfTheEffectsThatAreNamed) {
 TEST_F(Cost, OfThreadsIsThatOfTheEffectsThatAreNamed) {
   const auto phases = [&](const Names& effects) {
     Names names;
-    for (const auto& [name, seconds] : report(effects)["phases"].items()) names.insert(name);
+    const json reported = report(effects);
+    for (const auto& [name, seconds] : reported["phases"].items()) names.insert(name);
     return names;
   };
   const Names bare{"flight"};
@@ -111,7 +112,8 @@ TEST_F(Cost, OfThreadsIsThatOfTheEffectsThatAreNamed) {
 TEST_F(Cost, IsReportedForTheEffectsThatAreNamed) {
   const auto reported = [&](const Names& effects) {
     Names names;
-    for (const auto& [name, cost] : report(effects)["effects"].items()) {
+    const json told = report(effects);
+    for (const auto& [name, cost] : told["effects"].items()) {
       EXPECT_GE(cost["seconds"].get<double>(), 0);
       names.insert(name);
     }

@@ -29,7 +29,8 @@ std::string help(const std::vector<std::string>& command) {
 }
 
 std::string every_help() {
-  return help({}) + help({"play"}) + help({"run"}) + help({"accuracy"}) + help({"check"});
+  return help({}) + help({"play"}) + help({"run"}) + help({"accuracy"}) + help({"check"}) +
+         help({"verify"});
 }
 
 std::string page() {
