@@ -15,7 +15,8 @@ enum class Ink : unsigned char {
   ball,
   fixed,   ///< a ball that never moves
   status,  ///< a line about the run
-  notice   ///< what a key just did
+  notice,  ///< what a key just did
+  ghost    ///< where a ball would be, were it computed exactly
 };
 
 /// One character cell of a picture.

@@ -22,7 +22,7 @@ namespace {
 constexpr std::array<short, 8> kHeat256{33, 39, 44, 48, 118, 226, 214, 203};
 constexpr std::array<short, 8> kHeat8{COLOR_BLUE,  COLOR_BLUE,   COLOR_CYAN, COLOR_CYAN,
                                       COLOR_GREEN, COLOR_YELLOW, COLOR_RED,  COLOR_RED};
-constexpr short kFirstHeatPair = 8;
+constexpr short kFirstHeatPair = 9;
 
 short pair_of(Ink ink) {
   return static_cast<short>(static_cast<int>(ink) + 1);
@@ -143,6 +143,7 @@ class CursesScreen::Implementation {
     pair(Ink::fixed, -1);
     pair(Ink::status, -1);
     pair(Ink::notice, COLOR_YELLOW);
+    pair(Ink::ghost, -1);
     const auto& heat = COLORS >= 256 ? kHeat256 : kHeat8;
     for (std::size_t i = 0; i < heat.size(); ++i)
       init_pair(static_cast<short>(kFirstHeatPair + static_cast<int>(i) + 1), heat[i], -1);
@@ -151,7 +152,7 @@ class CursesScreen::Implementation {
   [[nodiscard]] chtype look(const Cell& cell) const {
     chtype look = 0;
     if (cell.ink == Ink::notice || cell.ink == Ink::fixed) look |= A_BOLD;
-    if (cell.ink == Ink::open) look |= A_DIM;
+    if (cell.ink == Ink::open || cell.ink == Ink::ghost) look |= A_DIM;
     if (!colors_ || cell.ink == Ink::none) return look;
     if (cell.ink != Ink::ball) return look | static_cast<chtype>(COLOR_PAIR(pair_of(cell.ink)));
     const auto level = static_cast<std::size_t>(cell.heat * static_cast<float>(kHeat8.size()));

@@ -14,7 +14,7 @@ struct KeyHelp {
   std::string_view help;
 };
 
-inline constexpr std::array<KeyHelp, 12> kKeyHelp{{
+inline constexpr std::array<KeyHelp, 15> kKeyHelp{{
     {"space p", "pause, and go on"},
     {".", "one frame while paused"},
     {"a", "add a ball at a free place"},
@@ -25,6 +25,9 @@ inline constexpr std::array<KeyHelp, 12> kKeyHelp{{
     {"-", "half the speed"},
     {"[ ]", "halve, double the time step"},
     {"g", "gravity on and off, where the scene has it"},
+    {"m", "the other method, overlap or event"},
+    {"e", "what this run costs, and how wrong it is"},
+    {"E", "beside it an exact run: its balls as '+'"},
     {"?", "this list, its next page, and away"},
     {"q", "quit"},
 }};

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "carom/report.hpp"
+#include "carom/scene_file.hpp"
 #include "view/keys.hpp"
 #include "view/newcomer.hpp"
 #include "view/paint.hpp"
@@ -24,6 +26,7 @@ constexpr std::chrono::milliseconds kEnergyEvery{500};
 constexpr std::chrono::hours kForever{24};
 constexpr double kFastest = 64;
 constexpr double kFallsBehind = 0.95;  // of the speed wanted; below, the status says so
+constexpr double kSmooth = 0.9;        // of what the exact run costs
 constexpr int kLeastColumns = 20;
 constexpr int kLeastRows = 8;
 constexpr int kRowsForHints = 12;  // screens this high have a second line below
@@ -105,6 +108,8 @@ void Player::compute() {
   const bool moves = !session_->paused() || single_ > 0;
   double left = single_ > 0 ? single_ : target - session_->clock();
   Instant now = start;
+  computing_ = computing_.zero();
+  Real beside{0};
   while (left > 0 && !session_->quit() && now < limit) {
     // Nothing known of the cost yet: a step at a time.
     const double affordable =
@@ -118,9 +123,15 @@ void Player::compute() {
       left = slice < left ? target - session_->clock() : 0;
     }
     const Instant then = std::exchange(now, interface_.now());
+    computing_ += now - then;
+    if (ghost_) {
+      follow();
+      const Instant without = std::exchange(now, interface_.now());
+      beside += now - without;
+    }
     if (moves) slice_cost_ = std::max(0.9 * slice_cost_, Real(now - then).count() / slice);
   }
-  computing_ = now - start;
+  ghost_cost_ = kSmooth * ghost_cost_ + (1 - kSmooth) * beside;
   changed_ = changed_ || moves;
 }
 
@@ -139,6 +150,8 @@ void Player::show() {
   const int lines = size.rows >= kRowsForHints ? 2 : 1;
   Canvas picture(size.columns, size.rows - lines);
   paint(simulation.frame(), picture);
+  if (ghost_) paint_ghost(ghost_->frame(), picture);
+  if (priced_) paint_price(price(), picture);
   if (help_page_ >= 0) paint_help(picture, help_page_);
   std::copy(picture.cells.begin(), picture.cells.end(), screen.cells.begin());
 
@@ -228,6 +241,14 @@ void Player::press(char key) {
       return change_step(2);
     case 'g':
       return toggle_gravity();
+    case 'm':
+      return change_method();
+    case 'e':
+      priced_ = !priced_;
+      return say(priced_ ? "what this run costs: [ ] and m change it, E an exact run beside it"
+                         : "the price is put away");
+    case 'E':
+      return toggle_ghost();
     case '?':
       ++help_page_;
       {
@@ -300,7 +321,93 @@ void Player::toggle_gravity() {
   obey(change, gravity_ ? "gravity on" : "gravity off");
 }
 
+/// The run goes on from where it stands, computed the other way.
+void Player::change_method() {
+  const Simulation& simulation = session_->simulation();
+  const Method method = simulation.method() == Method::overlap ? Method::event : Method::overlap;
+  Scene scene = session_->save();
+  scene.balls = simulation.state();
+  const Continuation stood = scene.continuation.value_or(Continuation{});
+  scene.continuation.emplace();
+  scene.continuation->time = simulation.time();
+  scene.continuation->clock = stood.clock;
+  scene.continuation->paused = stood.paused;
+  scene.continuation->step_origin = simulation.time();
+  scene.solver.method = method;
+  if (method == Method::overlap) scene.solver.digits = 16;
+  if (method == Method::event) {
+    scene.solver.method.reset();
+    const MethodChoice choice = choose_method(scene);
+    if (choice.method != method) return say("method overlap stays: " + choice.why);
+    scene.solver.method = method;
+  }
+  session_.emplace(std::move(scene));
+  scene_.solver.digits = session_->scene().solver.digits;
+  scene_.solver.method = method;
+  slice_cost_ = 0;
+  meter_.reset();
+  const std::string notice = std::string("method ") + method_name(method);
+  if (ghost_) begin_ghost();
+  say(ghost_ ? notice + "; the comparison starts again" : notice);
+}
+
+void Player::toggle_ghost() {
+  if (ghost_) {
+    ghost_.reset();
+    return say("the exact run is put away");
+  }
+  begin_ghost();
+  if (!ghost_) return;
+  priced_ = true;
+  say("an exact run beside this one, from here: its balls are '+'");
+}
+
+void Player::begin_ghost() {
+  ghost_.reset();
+  ghost_cost_ = ghost_cost_.zero();
+  try {
+    ghost_.emplace(*session_);
+  } catch (const SceneError& refused) {
+    say("no exact run: " + refused.problems().front().message);
+  }
+}
+
+/// A command, of a key or of the script, makes it another run.
+void Player::follow() {
+  if (ghost_->is_of(session_->simulation())) return ghost_->follow(session_->simulation());
+  begin_ghost();
+  if (ghost_) say((notice_.empty() ? "" : notice_ + "; ") + "the comparison starts again");
+}
+
+Price Player::price() const {
+  const Simulation& simulation = session_->simulation();
+  const Measurements measured = simulation.measure();
+  Price price;
+  price.method = method_name(simulation.method());
+  if (simulation.method() == Method::overlap || scene_.effects.attraction) {
+    price.method += fmt::format(", step 1/{:.6g} s", 1 / simulation.step());
+  } else {
+    price.method += fmt::format(", {} digits", session_->scene().solver.digits);
+  }
+  price.milliseconds = meter_.computing_milliseconds();
+  price.energy_error = measured.relative_energy_error();
+  price.max_overlap = measured.max_overlap;
+  if (!ghost_) return price;
+  price.beside.emplace();
+  price.beside->name = ghost_->name();
+  price.beside->milliseconds = std::chrono::duration<double, std::milli>(ghost_cost_).count();
+  price.beside->distance = ghost_->distance();
+  const Frame frame = simulation.frame();
+  for (const FrameBall& ball : frame.balls) {
+    double& radius = price.beside->radius;
+    radius = radius == 0 ? ball.radius : std::min(radius, ball.radius);
+  }
+  return price;
+}
+
 void Player::restart() {
+  const bool compared = ghost_.has_value();
+  ghost_.reset();
   session_.reset();  // its threads end before as many start again
   session_.emplace(scene_);
   gravity_ = true;
@@ -310,7 +417,8 @@ void Player::restart() {
   meter_.reset();
   energy_due_ = interface_.now();
   pacer_.restart(interface_.now());
-  say("restarted");
+  if (compared) begin_ghost();
+  say(ghost_ ? "restarted; the comparison starts again" : "restarted");
 }
 
 std::string Player::summary() const {

@@ -5,8 +5,10 @@
 #include <string>
 
 #include "carom/session.hpp"
+#include "view/ghost.hpp"
 #include "view/meter.hpp"
 #include "view/pacer.hpp"
+#include "view/price.hpp"
 #include "view/user_interface.hpp"
 
 namespace carom {
@@ -39,6 +41,11 @@ class Player {
   void change_step(double factor);
   void change_speed(double factor);
   void toggle_gravity();
+  void change_method();
+  void toggle_ghost();
+  void begin_ghost();
+  void follow();
+  [[nodiscard]] Price price() const;
   void restart();
 
   void handle_events_until(Instant due);
@@ -60,6 +67,10 @@ class Player {
   bool gravity_ = true;
   int help_page_ = -1;  // no help
   std::uint64_t added_ = 0;
+
+  bool priced_ = false;                          // the panel is open
+  std::optional<Ghost> ghost_;                   // the comparison
+  std::chrono::duration<double> ghost_cost_{0};  // of a frame, smoothed
 
   std::string notice_;
   Instant notice_until_;

@@ -1,0 +1,79 @@
+#include "view/ghost.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "carom/scene_file.hpp"
+
+namespace carom {
+namespace {
+
+constexpr int kMoreDigits = 34;
+constexpr double kShorter = 8;
+
+/// The simulated time of what the run shows.
+double moment_of(const Simulation& run) {
+  if (run.method() != Method::overlap) return run.time();
+  const auto stood = run.save().continuation;
+  return stood ? stood->step_origin + static_cast<double>(stood->steps) * run.step() : run.time();
+}
+
+/// The scene as the run stands, for the exact method.
+Scene exact_scene(const Session& session) {
+  const Simulation& run = session.simulation();
+  Scene scene = run.save();
+  scene.balls = run.state();
+  scene.continuation.reset();
+  scene.script.clear();
+  scene.per_ball = false;
+  scene.workers = 1;
+  scene.solver.method = Method::event;
+  scene.solver.digits = 16;
+  if (run.method() == Method::event) {
+    if (scene.effects.attraction) {
+      scene.solver.step = run.step() / kShorter;
+    } else {
+      scene.solver.digits = kMoreDigits;
+    }
+  }
+  return scene;
+}
+
+std::string name_of(const Scene& scene) {
+  return scene.effects.attraction ? fmt::format("event, step 1/{:.6g} s", 1 / scene.solver.step)
+                                  : fmt::format("event, {} digits", scene.solver.digits);
+}
+
+}  // namespace
+
+Ghost::Ghost(const Session& session)
+    : box_(session.scene().box),
+      begun_(moment_of(session.simulation())),
+      balls_(session.simulation().balls()),
+      energy_input_(session.simulation().measure().energy_input),
+      name_(name_of(exact_scene(session))),
+      simulation_(exact_scene(session)) {}
+
+void Ghost::follow(const Simulation& run) {
+  simulation_.advance_to(std::max(simulation_.time(), moment_of(run) - begun_));
+  const std::vector<Ball> here = run.state();
+  const std::vector<Ball> there = simulation_.state();
+  distance_ = 0;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    Vec2 way = here[i].position - there[i].position;
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      if (box_.periodic[static_cast<std::size_t>(axis)])
+        way[axis] = std::remainder(way[axis], box_.size()[axis]);
+    }
+    distance_ = std::max(distance_, way.norm());
+  }
+}
+
+bool Ghost::is_of(const Simulation& run) const {
+  return run.balls() == balls_ && run.measure().energy_input == energy_input_;
+}
+
+}  // namespace carom
