@@ -51,18 +51,21 @@ Line line_of(const AccuracyStudy& study, const AccuracyRow& row, bool best, bool
 
 std::string reference_text(const AccuracyStudy& study) {
   const AccuracyReference& reference = study.reference;
-  std::string text =
-      fmt::format("reference: {} with {} digits; with {} it is nowhere farther away than {}\n",
-                  method_name(reference.method), reference.digits, reference.checked_digits,
-                  error_text(reference.difference));
-  if (reference.holds_until) {
-    text = fmt::format(
-        "reference: {} with {} digits; with {} it parts from that at {:.4g} s, where the truth "
-        "ends\n",
-        method_name(reference.method), reference.digits, reference.checked_digits,
-        *reference.holds_until);
+  std::string text = fmt::format("reference: {} ", method_name(reference.method));
+  std::string checked;
+  if (reference.step) {
+    text += "in steps of " + step_text(*reference.step);
+    checked = step_text(reference.checked_step.value_or(0));
+  } else {
+    text += fmt::format("with {} digits", reference.digits);
+    checked = fmt::format("{}", reference.checked_digits);
   }
-  return text;
+  if (reference.holds_until) {
+    return text + fmt::format("; with {} it parts from that at {:.4g} s, where the truth ends\n",
+                              checked, *reference.holds_until);
+  }
+  return text + fmt::format("; with {} it is nowhere farther away than {}\n", checked,
+                            error_text(reference.difference));
 }
 
 /// The resolution of the horizons that were looked at closely, and of those that steps keep coarse.
@@ -111,7 +114,7 @@ std::string error_text(double error) {
 
 std::string run_name(const AccuracyRow& row) {
   std::string name = method_name(row.method);
-  if (row.method == Method::event) name += fmt::format(", {} digits", row.digits);
+  if (row.method == Method::event && !row.step) name += fmt::format(", {} digits", row.digits);
   if (row.step) name += ", " + step_text(*row.step);
   return name;
 }

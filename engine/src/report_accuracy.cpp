@@ -60,6 +60,7 @@ std::string to_json(const AccuracyStudy& study) {
                        {"digits", reference.digits},
                        {"step", or_null(reference.step)},
                        {"checked_digits", reference.checked_digits},
+                       {"checked_step", or_null(reference.checked_step)},
                        {"difference", reference.difference},
                        {"holds_until", or_null(reference.holds_until)},
                        {"seconds", reference.seconds},

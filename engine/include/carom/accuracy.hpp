@@ -65,10 +65,11 @@ struct AccuracyRow {
 struct AccuracyReference {
   Method method = Method::event;
   int digits = 0;
-  std::optional<double> step;
-  int checked_digits = 0;  ///< of the run that it was compared with, ...
-  double difference = 0;   ///< ... and the largest distance of a ball between the two at any time
-  double seconds = 0;      ///< wall clock of both
+  std::optional<double> step;          ///< seconds; absent: it takes none
+  int checked_digits = 0;              ///< of the run that it was compared with, ...
+  std::optional<double> checked_step;  ///< ... its step, ...
+  double difference = 0;  ///< ... and the largest distance of a ball between the two at any time
+  double seconds = 0;     ///< wall clock of both
   /// Where the two part by more than 1 % of the smallest radius: what comes after is unknown to
   /// all.  Absent: they do not.
   std::optional<double> holds_until;

@@ -9,6 +9,11 @@ Way way_of(const AccuracyRow& row) {
   return {row.method, row.step, row.digits};
 }
 
+/// The step at whose ends alone a run can be looked at; event shows any moment.
+std::optional<double> pace_of(const AccuracyRow& row) {
+  return row.method == Method::overlap ? row.step : std::nullopt;
+}
+
 /// Where the truth ends before the run does, what should be kept is what is known of the end.
 std::optional<double> energy_error(const Measurements& measured, const Effects& effects,
                                    std::optional<double> truth) {
@@ -42,7 +47,7 @@ std::optional<Loss> assess(AccuracyRow& row, const Scenario& scenario, const Sam
     return apart;
   };
   for (std::size_t sample = 1; sample < truth.known() && !loss; ++sample) {
-    if (!samples.compares(sample, row.step)) continue;
+    if (!samples.compares(sample, pace_of(row))) continue;
     runner.advance_to(samples.time(sample));
     (void)compare(sample);
   }
@@ -60,9 +65,9 @@ std::optional<Loss> assess(AccuracyRow& row, const Scenario& scenario, const Sam
   return loss;
 }
 
-std::vector<std::uint64_t> fine_numbers(const Loss& loss, const Samples& samples,
-                                        std::optional<double> step) {
-  const std::uint64_t stride = samples.stride(step);
+std::vector<std::uint64_t> fine_numbers(const AccuracyRow& row, const Loss& loss,
+                                        const Samples& samples) {
+  const std::uint64_t stride = samples.stride(pace_of(row));
   const double end = samples.time(loss.seen);
   std::vector<std::uint64_t> numbers;
   for (std::uint64_t fine = (loss.before * Samples::kParts / stride + 1) * stride;
@@ -80,7 +85,7 @@ void refine_horizon(AccuracyRow& row, const Loss& loss, const Scenario& scenario
     row.horizon = time;
     row.horizon_resolution = time - before;
   };
-  for (const std::uint64_t fine : fine_numbers(loss, samples, row.step)) {
+  for (const std::uint64_t fine : fine_numbers(row, loss, samples)) {
     const double time = samples.fine_time(fine);
     runner.advance_to(time);
     const double apart =

@@ -17,9 +17,9 @@ struct Loss {
 std::optional<Loss> assess(AccuracyRow& row, const Scenario& scenario, const Samples& samples,
                            const Truth& truth, double smallest_radius);
 
-/// The fine numbers in between at which a run with this step can be compared.
-std::vector<std::uint64_t> fine_numbers(const Loss& loss, const Samples& samples,
-                                        std::optional<double> step);
+/// The fine numbers in between at which the run can be compared.
+std::vector<std::uint64_t> fine_numbers(const AccuracyRow& row, const Loss& loss,
+                                        const Samples& samples);
 
 /// Runs the way of `row` again and finds the horizon among the fine numbers of `truth`.
 void refine_horizon(AccuracyRow& row, const Loss& loss, const Scenario& scenario,

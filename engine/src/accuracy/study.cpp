@@ -42,8 +42,13 @@ class Study {
 
   AccuracyStudy run() {
     find_reference();
-    for (const int digits : {16, 34, 50}) run_row(Method::event, std::nullopt, digits);
-    climb_down();
+    if (scenario_.start.effects.attraction) {
+      climb_down(Method::event);
+    } else {
+      run_row(Method::event, std::nullopt, 16);
+    }
+    for (const int digits : {34, 50}) run_row(Method::event, std::nullopt, digits);
+    climb_down(Method::overlap);
     for (std::size_t crew = 1; crew < crews_.size(); ++crew) run_on(crews_[crew]);
     refine();
     study_.reference = truth_.reference;
@@ -111,7 +116,7 @@ class Study {
   }
 
   /// The ladder of steps, down to the run that takes more than its share.
-  void climb_down() {
+  void climb_down(Method method) {
     double step = kLongestStep;
     double before = 0;
     for (int rung = 0; rung < kRungs; ++rung, step /= 2) {
@@ -121,32 +126,40 @@ class Study {
       for (int later = rung; later < kRungs && next < 2 * request_.share; ++later, next *= 2) {
         left_ += kTimesRun * next;
       }
-      const AccuracyRow& row = run_row(Method::overlap, step, 16);
+      const AccuracyRow& row = run_row(method, step, 16);
       if (!row.failure.empty()) {
-        study_.ladder_end = fmt::format("{}: {}", name_of(row), row.failure);
+        end_ladder(fmt::format("{}: {}", name_of(row), row.failure));
         return;
       }
       before = row.seconds;
       if (before > request_.share && rung + 1 < kRungs) {
-        study_.ladder_end =
+        end_ladder(
             fmt::format("{} took {:.3g} s, and the share of a run is {:.3g} s; --share gives more",
-                        name_of(row), before, request_.share);
+                        name_of(row), before, request_.share));
         return;
       }
     }
   }
 
-  /// The same runs on another crew: event, and overlap at the step of the scene or the rung below.
+  void end_ladder(const std::string& why) {
+    study_.ladder_end += (study_.ladder_end.empty() ? "" : "; ") + why;
+  }
+
+  /// The same runs on another crew: one of each method, in steps that of the scene or the rung
+  /// below.
   void run_on(const AccuracyCrew& crew) {
     const double wanted = scenario_.start.solver.step;
-    std::optional<std::size_t> rung;
-    for (std::size_t i = 0; i < study_.rows.size(); ++i) {
-      const AccuracyRow& row = study_.rows[i];
-      if (row.method != Method::overlap || !row.failure.empty()) continue;
-      if (!rung || *study_.rows[*rung].step > wanted) rung = i;
+    const std::size_t count = study_.rows.size();
+    for (const Method method : {Method::event, Method::overlap}) {
+      std::optional<std::size_t> chosen;
+      for (std::size_t i = 0; i < count; ++i) {
+        const AccuracyRow& row = study_.rows[i];
+        if (row.method != method || !row.failure.empty() || same_run_.contains(i)) continue;
+        const bool too_long = chosen && study_.rows[*chosen].step.value_or(0) > wanted;
+        if (!chosen || too_long) chosen = i;
+      }
+      if (chosen) run_on(crew, *chosen);
     }
-    run_on(crew, 0);
-    if (rung) run_on(crew, *rung);
   }
 
   void run_on(const AccuracyCrew& crew, std::size_t number) {
@@ -167,7 +180,7 @@ class Study {
   /// Looks closer at when each run was lost.
   void refine() {
     for (const auto& [row, loss] : losses_) {
-      for (const std::uint64_t fine : fine_numbers(loss, samples_, study_.rows[row].step)) {
+      for (const std::uint64_t fine : fine_numbers(study_.rows[row], loss, samples_)) {
         truth_.at_fine.try_emplace(fine);
       }
     }

@@ -6,6 +6,8 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "carom/scene_file.hpp"
 
@@ -15,7 +17,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kJudgeCostAfter = 0.5;  // seconds
-constexpr double kGrown = 1e3;           // in roundings: from here on growth can be told
+constexpr double kShortestStep = kLongestStep / 8192;
+constexpr int kNoBetter = 2;    // steps in a row that come no nearer: rounding has the word
+constexpr double kGrown = 1e3;  // in roundings: from here on growth can be told
 
 /// Digits of a reference, and of the run that checks it.
 struct Pair {
@@ -80,10 +84,8 @@ std::optional<std::string> compute(Truth& truth, const Pair& pair, const Scenari
   return std::nullopt;
 }
 
-}  // namespace
-
-Truth find_truth(const Scenario& scenario, const Samples& samples, double smallest_radius,
-                 double allowance, const PartDone& told) {
+Truth by_digits(const Scenario& scenario, const Samples& samples, double smallest_radius,
+                double allowance, const PartDone& told) {
   Truth truth;
   std::string why;
   for (const Pair& pair : kPairs) {
@@ -95,10 +97,90 @@ Truth find_truth(const Scenario& scenario, const Samples& samples, double smalle
     } catch (const SceneError& refused) {
       const Problem& problem = refused.problems().front();
       why = problem.place + ": " + problem.message;
-    } catch (const CommandError& refused) {
-      why = std::string("a command of the script is refused: ") + refused.what();
-      break;
     }
+  }
+  throw NoReference(why);
+}
+
+/// A run in steps; as far as the one before it goes, where there is one, and was not lost.
+Truth in_steps(double step, const Truth* before, const Scenario& scenario, const Samples& samples,
+               double smallest_radius) {
+  Truth truth;
+  truth.reference.digits = truth.reference.checked_digits = 16;
+  truth.reference.step = step;
+  Runner runner(scenario, {Method::event, step, 16});
+  const std::size_t count = before == nullptr ? samples.count() : before->known();
+  const auto started = Clock::now();
+  for (std::size_t sample = 1; sample <= samples.count() && !truth.reference.holds_until;
+       ++sample) {
+    runner.advance_to(samples.time(sample));
+    truth.at_sample.push_back(Places::of(runner.simulation()));
+    if (before == nullptr || sample > count) continue;
+    const double apart =
+        distance(truth.at_sample.back(), before->at_sample[sample - 1], scenario.start.box);
+    truth.reference.difference = std::max(truth.reference.difference, apart);
+    if (apart > kLost * smallest_radius) truth.reference.holds_until = samples.time(sample);
+  }
+  const Measurements measured = runner.simulation().measure();
+  truth.reference.ball_ball = measured.ball_ball;
+  truth.reference.ball_wall = measured.ball_wall;
+  truth.reference.seconds = seconds_since(started);
+  if (!truth.reference.holds_until) truth.energy = measured.energy_final;
+  return truth;
+}
+
+/// How near two runs are to each other: longer to be lost is nearer.
+bool is_nearer(const AccuracyReference& one, const AccuracyReference& other) {
+  const double never = std::numeric_limits<double>::infinity();
+  const double one_until = one.holds_until.value_or(never);
+  const double other_until = other.holds_until.value_or(never);
+  if (one_until != other_until) return one_until > other_until;
+  return one.difference < other.difference;
+}
+
+Truth by_steps(const Scenario& scenario, const Samples& samples, double smallest_radius,
+               double allowance, const PartDone& told) {
+  // No step of the ladder, so that none is compared with itself.
+  double step = kLongestStep * 2 / 3;
+  Truth coarse = in_steps(step, nullptr, scenario, samples, smallest_radius);
+  std::optional<Truth> best;
+  double spent = coarse.reference.seconds;
+  for (int no_better = 0; no_better < kNoBetter && step > kShortestStep;) {
+    const double next = 2 * coarse.reference.seconds;
+    if (best && spent + next > allowance) break;
+    told(std::min(1.0, (spent + next) / allowance));
+    step /= 2;
+    Truth fine = in_steps(step, &coarse, scenario, samples, smallest_radius);
+    spent += fine.reference.seconds;
+    fine.reference.checked_step = 2 * step;
+    const bool nearer = !best || is_nearer(fine.reference, best->reference);
+    no_better = nearer ? 0 : no_better + 1;
+    // The one before is wanted whole for the next comparison, and no longer.
+    coarse = std::move(fine);
+    if (nearer) best = coarse;
+    if (coarse.reference.holds_until && coarse.known() < samples.count()) {
+      coarse = in_steps(step, nullptr, scenario, samples, smallest_radius);
+    }
+  }
+  best->reference.seconds = spent;
+  return std::move(*best);
+}
+
+}  // namespace
+
+Truth find_truth(const Scenario& scenario, const Samples& samples, double smallest_radius,
+                 double allowance, const PartDone& told) {
+  const bool steps = scenario.start.effects.attraction.has_value();
+  std::string why;
+  try {
+    return (steps ? by_steps : by_digits)(scenario, samples, smallest_radius, allowance, told);
+  } catch (const SceneError& refused) {
+    const Problem& problem = refused.problems().front();
+    why = problem.place + ": " + problem.message;
+  } catch (const CommandError& refused) {
+    why = std::string("a command of the script is refused: ") + refused.what();
+  } catch (const NoReference& refused) {
+    why = refused.what();
   }
   throw NoReference("no reference to hold the runs against: " + why);
 }

@@ -33,8 +33,11 @@ inline constexpr double kLost = 0.01;
 /// what the narrow one is wrong by is seen, and what the wide one is wrong by is less by as many
 /// powers of ten as it has more digits: it does not show.  Where they part, the truth ends.
 ///
-/// `allowance`: wall-clock seconds that a pair of precisions may take; where one takes more,
-/// fewer digits are tried.
+/// Where method event takes steps, two steps of 2 : 1 take the place of two precisions, halved
+/// until rounding keeps the two from coming nearer to each other.
+///
+/// `allowance`: wall-clock seconds that the two may take; where they take more, fewer digits are
+/// tried, or no shorter steps.
 /// Errors: NoReference.
 Truth find_truth(const Scenario& scenario, const Samples& samples, double smallest_radius,
                  double allowance, const PartDone& told);
