@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "accuracy_table.hpp"
 #include "carom/report.hpp"
@@ -31,10 +32,13 @@ const AccuracyRow* nearest(const AccuracyStudy& study, Method method) {
   return best;
 }
 
-const AccuracyRow* longest(const AccuracyStudy& study) {
+/// The run of a method, or of any, that is lost last; none where one is not lost at all.
+const AccuracyRow* longest(const AccuracyStudy& study, std::optional<Method> method = {}) {
   const AccuracyRow* best = nullptr;
   for (const AccuracyRow& row : study.rows) {
-    if (ran(row) && (best == nullptr || *row.horizon > *best->horizon)) best = &row;
+    if (!ran(row) || (method && row.method != *method)) continue;
+    if (!row.horizon) return nullptr;
+    if (best == nullptr || *row.horizon > *best->horizon) best = &row;
   }
   return best;
 }
@@ -98,6 +102,14 @@ std::string by_error(const AccuracyStudy& study, double target,
   }
   rival = nearest(study, other);
   if (rival == nullptr) return text + ".\n";
+  const AccuracyRow* const last = longest(study, other);
+  if (last != nullptr) {
+    return text + fmt::format(
+                      "; {} is lost whatever the step: at {:.4g} s with {}, which costs {} "
+                      "times as much.\n",
+                      method_name(other), *last->horizon, run_name(*last),
+                      times_text(last->seconds / best.seconds));
+  }
   const double factor = rival->seconds / best.seconds;
   const std::string cost = factor >= 1 ? fmt::format("costs {} times as much", times_text(factor))
                                        : fmt::format("costs {:.2g} of that", factor);

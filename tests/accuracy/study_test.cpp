@@ -69,7 +69,12 @@ TEST(Study, EveryColumnOfTwoDisksThatMeetHeadOnIsRight) {
   EXPECT_EQ(event[0].digits, 16);
   EXPECT_EQ(event[1].digits, 34);
   EXPECT_EQ(event[2].digits, 50);
-  EXPECT_LE(event[0].position_error.value_or(1), 1e-15);
+  EXPECT_LE(event[0].position_error.value_or(1), 1e-14);
+  EXPECT_LE(event[1].position_error.value_or(1), 1e-32);
+  EXPECT_LE(event[2].position_error.value_or(1), 1e-48);
+  EXPECT_EQ(study.reference.digits, 100);
+  EXPECT_EQ(study.reference.checked_digits, 50);
+  EXPECT_LE(study.reference.difference, 1e-48);
   EXPECT_EQ(event[0].ball_ball, 1U);
   EXPECT_EQ(event[0].max_overlap, 0);
   EXPECT_FALSE(event[0].horizon);

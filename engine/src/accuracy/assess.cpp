@@ -35,9 +35,11 @@ std::optional<Loss> assess(AccuracyRow& row, const Scenario& scenario, const Sam
   std::optional<Loss> loss;
   std::size_t before = 0;  // the last sample at which it was compared
   const auto compare = [&](std::size_t sample) {
-    const Places places = Places::of(runner.simulation());
-    if (!places.finite()) throw std::runtime_error("a ball is nowhere: its place is no number");
-    const double apart = distance(places, truth.at_sample[sample - 1], box);
+    const double apart =
+        largest_distance(runner.simulation().exact_positions(), truth.at_sample[sample - 1], box);
+    if (!std::isfinite(apart)) {
+      throw std::runtime_error("a ball is nowhere: its place is no number");
+    }
     if (!loss && apart > kLost * smallest_radius) {
       loss = Loss{before, sample};
       row.horizon = samples.time(sample);
@@ -88,8 +90,8 @@ void refine_horizon(AccuracyRow& row, const Loss& loss, const Scenario& scenario
   for (const std::uint64_t fine : fine_numbers(row, loss, samples)) {
     const double time = samples.fine_time(fine);
     runner.advance_to(time);
-    const double apart =
-        distance(Places::of(runner.simulation()), truth.at_fine.at(fine), scenario.start.box);
+    const double apart = largest_distance(runner.simulation().exact_positions(),
+                                          truth.at_fine.at(fine), scenario.start.box);
     if (apart > kLost * smallest_radius) return seen(time);
     before = time;
   }

@@ -15,9 +15,9 @@ namespace carom {
 namespace accuracy {
 namespace {
 
-constexpr double kReferenceShares = 15;                       // that the reference may take
-constexpr std::size_t kMostBytes = std::size_t{1} << 28;      // of the truth's places
-constexpr std::size_t kBytesOfBall = 2 * 7 * sizeof(double);  // with 100 digits
+constexpr double kReferenceShares = 15;                   // that the reference may take
+constexpr std::size_t kMostBytes = std::size_t{1} << 28;  // of the truth's places
+constexpr std::size_t kBytesOfBall = 256;  // with 100 digits, and what keeping them takes
 constexpr double kTimesRun = 6;  // a row is run so often, foreseen: assessed, refined, timed
 
 class Study {
@@ -99,7 +99,7 @@ class Study {
     remaining_.tell(std::max(0.1, left_), name_of(row));
     std::optional<Loss> loss;
     try {
-      if (method == Method::event && digits >= truth_.reference.digits && digits > 16) {
+      if (method == Method::event && !truth_.reference.step && digits >= truth_.reference.digits) {
         throw TooLong("there is no wider run to hold it against within the time it may take");
       }
       loss = assess(row, scenario_, samples_, truth_, radius_);
