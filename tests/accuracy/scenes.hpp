@@ -36,11 +36,11 @@ struct HeadOn {
 
 /// A short study, with little spent on timing.
 inline AccuracyStudy study_of(const Scene& scene, double time,
-                              const std::vector<AccuracyCrew>& crews = {}, double share = 0.5) {
+                              const std::vector<AccuracyCrew>& crews = {}) {
   AccuracyRequest request;
   request.time = time;
   request.crews = crews;
-  request.share = share;
+  request.share = 20;  // more than any machine needs
   return study_accuracy(scene, request);
 }
 

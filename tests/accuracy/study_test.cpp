@@ -81,8 +81,8 @@ TEST(Study, EveryColumnOfTwoDisksThatMeetHeadOnIsRight) {
 }
 
 TEST(Study, TheHorizonIsWhenTheRunIsLostHoweverRarelyItIsCompared) {
-  // Forty times as long, so that samples are far apart: what is seen must not move.
-  const AccuracyStudy study = study_of(HeadOn::scene(), 40 * HeadOn::kTime, {}, 0.01);
+  // Eight times as long, so that samples are far apart: what is seen must not move.
+  const AccuracyStudy study = study_of(HeadOn::scene(), 8 * HeadOn::kTime);
   const auto overlap = rows_of(study, Method::overlap);
   ASSERT_FALSE(overlap.empty());
   int lost = 0;
@@ -91,7 +91,7 @@ TEST(Study, TheHorizonIsWhenTheRunIsLostHoweverRarelyItIsCompared) {
     if (!(late > HeadOn::kRadius / 100)) continue;
     ++lost;
     ASSERT_TRUE(row.horizon);
-    EXPECT_LE(row.horizon_resolution, std::max(*row.step, 1.0 / 60) * (1 + 1e-9));
+    EXPECT_LE(row.horizon_resolution, std::max(*row.step, 1.0 / 300) * (1 + 1e-9));
     EXPECT_GE(*row.horizon, HeadOn::kTouch);
     EXPECT_LE(*row.horizon - row.horizon_resolution, HeadOn::kTouch + late + 1e-9);
   }
@@ -119,7 +119,7 @@ TEST(Study, TheWayRoundAPeriodicAxisIsTheShorterOne) {
 TEST(Study, TheRecommendedRunIsTheCheapestThatMeetsTheTarget) {
   AccuracyRequest request;
   request.time = HeadOn::kTime;
-  request.share = 0.5;
+  request.share = 20;
   for (const double target : {0.1, 1e-3, 1e-9}) {
     request.target = target;
     const AccuracyStudy study = study_accuracy(HeadOn::scene(), request);

@@ -15,7 +15,7 @@ constexpr double kWarmUp = 1.0 / 16;  // of the run
 constexpr double kFarTooLong = 4;     // shares
 constexpr std::size_t kFewest = 3;    // repeats, of which the middle one counts
 constexpr std::size_t kMost = 25;
-constexpr double kEnough = 0.05;  // of a share: no more repeats after it
+constexpr double kEnough = 0.05;  // of a share, or seconds: no more repeats after it
 
 double seconds_of(Runner& runner, double until) {
   const auto start = Clock::now();
@@ -45,7 +45,8 @@ void time_runs(AccuracyRow& row, const Scenario& scenario, const AccuracyCrew& c
   }
   std::vector<double> seconds;
   double spent = 0;
-  while (seconds.size() < kFewest || (spent < kEnough * share && seconds.size() < kMost)) {
+  while (seconds.size() < kFewest ||
+         (spent < kEnough * std::min(share, 1.0) && seconds.size() < kMost)) {
     Runner runner(scenario, way, crew);
     row.workers = runner.simulation().workers();
     seconds.push_back(seconds_of(runner, scenario.end));

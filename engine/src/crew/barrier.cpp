@@ -14,12 +14,12 @@ namespace carom {
 namespace {
 
 // How long to wait awake.  A pause is some 40 ns, so the spin takes some 40 microseconds: what it
-// takes to fall asleep and be woken on a virtual core, and what equal shares of a millisecond differ
-// by.  Where another program has the core of the other party no more is lost.
-// With more parties than cores a spin only keeps the core from those who are still to arrive.  A
-// yield lets each of them on this core run once, and a few more bridge what the other cores are
-// behind, which is cheaper than to sleep and be woken.  But each also gives every other program of
-// the machine its turn, so that many threads have but few.
+// takes to fall asleep and be woken on a virtual core, and what equal shares of a millisecond
+// differ by.  Where another program has the core of the other party no more is lost. With more
+// parties than cores a spin only keeps the core from those who are still to arrive.  A yield lets
+// each of them on this core run once, and a few more bridge what the other cores are behind, which
+// is cheaper than to sleep and be woken.  But each also gives every other program of the machine
+// its turn, so that many threads have but few.
 constexpr int kSpins = 1000;
 constexpr int kYields = 4;
 constexpr std::size_t kFewParties = 64;
