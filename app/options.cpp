@@ -39,7 +39,7 @@ constexpr std::array kCommands{
     CommandRow{"check", Options::Command::check, 1, kManyScenes, "SCENE...",
                "say what a scene simulates and what not, or what is wrong with it"},
     CommandRow{"verify", Options::Command::verify, 0, 0, "",
-               "run the hard cases: does this build compute what it must, on this machine"},
+               "run the hard cases: does this build compute right"},
 };
 
 const CommandRow* find_command(std::string_view name) {

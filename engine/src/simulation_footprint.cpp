@@ -29,8 +29,7 @@ std::size_t listed_pairs(const Scene& scene, const std::vector<Ball>& balls) {
 
 void describe_event(const Scene& scene, Footprint& result) {
   const std::size_t n = result.balls;
-  result.columns = {{"ball", n * sizeof(Ball)},
-                    {"flight", n * event_flight_bytes(scene)}};
+  result.columns = {{"ball", n * sizeof(Ball)}, {"flight", n * event_flight_bytes(scene)}};
   if (scene.effects.collisions) {
     result.lists.emplace_back("neighbours", n * kNeighbours);
   }

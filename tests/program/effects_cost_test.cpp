@@ -165,7 +165,7 @@ std::map<std::string, Names> functions_of_effects() {
                                                          {"drag.cpp.o", "drag"},
                                                          {"friction.cpp.o", "friction"},
                                                          {"attraction.cpp.o", "attraction"}};
-  const auto outcome = support::run({"nm", "--defined-only", CAROM_ENGINE});
+  const auto outcome = support::run({"/usr/bin/nm", "--defined-only", CAROM_ENGINE});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   std::map<std::string, Names> functions;
   std::string effect;
@@ -195,12 +195,9 @@ TEST_F(Cost, OfInstructionsIsThatOfTheEffectsThatAreNamed) {
                                   every_effect()};
   for (const Names& named : scenes) {
     const std::string out = folder_ / "callgrind";
-    std::vector<std::string> words{"valgrind",
-                                   "--tool=callgrind",
-                                   "--demangle=no",
-                                   "--compress-strings=no",
-                                   "--callgrind-out-file=" + out,
-                                   CAROM_PROBE};
+    std::vector<std::string> words{
+        "/usr/bin/valgrind",           "--tool=callgrind", "--demangle=no", "--compress-strings=no",
+        "--callgrind-out-file=" + out, CAROM_PROBE};
     words.insert(words.end(), named.begin(), named.end());
     const auto outcome = support::run(words);
     ASSERT_EQ(outcome.status, 0) << outcome.err;

@@ -63,7 +63,7 @@ class EventSolver final : public Solver {
   [[nodiscard]] Moment moment(double seconds) const;
   [[nodiscard]] typename P::Clock fitting_scale() const;
   /// In more digits flights are so dear that there are never enough balls.
-  static constexpr bool kShares = event::kIsDouble<S>;
+  static constexpr bool kShares = event::kIsDouble<S> && !P::kSpins && !P::kRests;
 
   [[nodiscard]] std::vector<Phase> phases_of_windows() requires kShares;
   [[nodiscard]] bool shares() const;

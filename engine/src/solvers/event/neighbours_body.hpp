@@ -75,7 +75,9 @@ void Neighbours<P>::set_square(const typename P::Disk& disk, Index i, typename P
   }
   const Vec<double> v = rough(motion_.velocity(disk, now));
   const double speed = std::max(std::abs(v.x), std::abs(v.y));
-  const double ahead = speed > 0 ? kForward * skin_ / speed : 0;
+  // A speed near the least number there is would take for ever.
+  const double wait = speed > 0 ? kForward * skin_ / speed : 0;
+  const double ahead = std::isfinite(wait) ? wait : 0;
   const Domain& domain = motion_.rules().domain;
   const auto wrapped = [&domain](std::size_t axis, double x) {
     return domain.period[axis] > 0 ? domain.wrapped(axis, x) : x;
