@@ -15,6 +15,7 @@
 #include "export/output_file.hpp"
 #include "export/unfinished_files.hpp"
 #include "load_scene.hpp"
+#include "one_file.hpp"
 #include "progress.hpp"
 #include "standard_streams.hpp"
 
@@ -22,19 +23,6 @@ namespace carom {
 namespace {
 
 constexpr double kMostSeconds = 0x1p53 / 30720;  // whose steps are all counted
-
-void refuse_one_file_for_two(const Options& options) {
-  const std::array<std::pair<const char*, const std::string*>, 3> files{
-      {{"--json", &options.json}, {"--csv", &options.csv}, {"--plot", &options.plot}}};
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    for (std::size_t j = i + 1; j < files.size(); ++j) {
-      if (files[i].second->empty() || files[j].second->empty()) continue;
-      if (!is_same_file(*files[i].second, *files[j].second)) continue;
-      throw UsageError(fmt::format("{} and {} both write to '{}': give them two files",
-                                   files[i].first, files[j].first, *files[j].second));
-    }
-  }
-}
 
 AccuracyRequest request_of(const Options& options) {
   AccuracyRequest request;
@@ -55,7 +43,8 @@ std::string in_words(const AccuracyStudy& study) {
 }  // namespace
 
 int accuracy(const Options& options) {
-  refuse_one_file_for_two(options);
+  refuse_one_file_for_two(
+      {{"--json", options.json}, {"--csv", options.csv}, {"--plot", options.plot}});
   const Scene scene = load_scene(options.scenes.front(), options);
   if (options.time.value_or(scene.duration) > kMostSeconds) {
     throw UsageError(fmt::format("--time: must be at most {:.3g}, got {:.3g}", kMostSeconds,

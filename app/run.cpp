@@ -12,6 +12,7 @@
 #include "export/output_file.hpp"
 #include "export/unfinished_files.hpp"
 #include "load_scene.hpp"
+#include "one_file.hpp"
 #include "progress.hpp"
 #include "schedule.hpp"
 #include "standard_streams.hpp"
@@ -23,20 +24,6 @@ namespace carom {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Two texts into one file would leave neither of them whole.
-void refuse_one_file_for_two(const Options& options) {
-  const std::array<std::pair<const char*, const std::string*>, 3> files{
-      {{"--dump", &options.dump}, {"--report", &options.report}, {"--save", &options.save}}};
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    for (std::size_t j = i + 1; j < files.size(); ++j) {
-      if (files[i].second->empty() || files[j].second->empty()) continue;
-      if (!is_same_file(*files[i].second, *files[j].second)) continue;
-      throw UsageError(fmt::format("{} and {} both write to '{}': give them two files",
-                                   files[i].first, files[j].first, *files[j].second));
-    }
-  }
-}
 
 bool takes_standard_output(const Options& options) {
   return is_standard_output(options.dump) || is_standard_output(options.report) ||
@@ -54,7 +41,8 @@ void dump_frame(const Session& session, std::uint64_t number, const Options& opt
 }  // namespace
 
 int run(const Options& options) {
-  refuse_one_file_for_two(options);
+  refuse_one_file_for_two(
+      {{"--dump", options.dump}, {"--report", options.report}, {"--save", options.save}});
   const Scene scene = load_scene(options.scenes.front(), options);
 
   // Opened before anything runs: what cannot be written is found now.

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-#include <algorithm>
 #include <cmath>
 
 #include "carom/report.hpp"

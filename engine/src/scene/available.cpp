@@ -54,9 +54,6 @@ constexpr std::array kUnavailable{
                 },
                 "\"event\" with drag, or with gravity in more than 16 digits, cannot take a "
                 "restitution below 1 in this version, use \"overlap\""},
-    Unavailable{"/solver/digits", kEvent,
-                [](const Scene& s) { return !flies_in_closed_form(s) && s.solver.digits != 16; },
-                "the flight under attraction is integrated in 16 digits: use 16"},
     Unavailable{"/solver/method", kEvent, short_periodic_axis,
                 "\"event\" needs periodic axes longer than four radii of the largest ball, use "
                 "\"overlap\""},

@@ -14,15 +14,10 @@
 #include "effects/periodic.hpp"
 #include "effects/rest.hpp"
 #include "effects/walls.hpp"
+#include "solvers/sampling.hpp"
 #include "state/stopwatch.hpp"
 
 namespace carom {
-namespace {
-
-constexpr std::uint64_t kSampling = 31;  // one step in so many has its effects timed
-
-}  // namespace
-
 OverlapSolver::OverlapSolver(const Scene& scene, const std::vector<Ball>& balls, Pairs pairs)
     : box_(scene.box),
       domain_(scene.box, scene.effects.walls.has_value()),
@@ -272,7 +267,7 @@ std::size_t OverlapSolver::end_step() {
 // --- pairs ------------------------------------------------------------------------------------
 
 bool OverlapSolver::timed() const {
-  return taken_ % kSampling == 0;
+  return is_sampled(taken_);
 }
 
 bool OverlapSolver::many() const {
@@ -399,14 +394,7 @@ void OverlapSolver::count(Measurements& measurements) const {
     seconds += desk.seconds;
     seconds.of<Friction>() += desk.impacts.friction_seconds;
   }
-  const std::uint64_t sampled = (taken_ + kSampling - 1) / kSampling;
-  const double scale =
-      sampled == 0 ? 0 : static_cast<double>(taken_) / static_cast<double>(sampled);
-  for_each_effect([&](const auto& entry) {
-    using Effect = typename std::decay_t<decltype(entry)>::Type;
-    if (!(effects_.*entry.slot)) return;
-    measurements.effects.emplace_back(entry.name, seconds.of<Effect>() * scale);
-  });
+  add_sampled_seconds(effects_, seconds, taken_, measurements);
 }
 
 void OverlapSolver::save(Scene& scene) const {

@@ -71,36 +71,35 @@ double crew_bits(const Trial& trial) {
   return worst;
 }
 
-double stopped_bits(const Trial& trial) {
+/// The scene four times again, each time otherwise: `rerun` gives the balls at the end.
+template <class Rerun>
+double worst_rerun(const Trial& trial, std::uint64_t stream, Rerun rerun) {
   Scene scene = listed(trial.scene);
   scene.workers = 1;
   const std::vector<Ball> expected = run(scene, scene.duration).balls;
-  scene::Random random(trial.seed, 3);
+  scene::Random random(trial.seed, stream);
   double worst = 0;
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < 4; ++k) worst = std::max(worst, different(rerun(scene, random), expected));
+  return worst;
+}
+
+double stopped_bits(const Trial& trial) {
+  return worst_rerun(trial, 3, [](const Scene& scene, scene::Random& random) {
     Simulation first(scene);
     first.advance_to(random.uniform() * scene.duration);
-    const Scene saved = parse_scene(write_scene(first.save()), "saved");
-    worst = std::max(worst, different(run(saved, scene.duration).balls, expected));
-  }
-  return worst;
+    return run(parse_scene(write_scene(first.save()), "saved"), scene.duration).balls;
+  });
 }
 
 /// Looked at in frames of random lengths on the way, or only at the end.
 double watched_bits(const Trial& trial) {
-  Scene scene = listed(trial.scene);
-  scene.workers = 1;
-  const std::vector<Ball> expected = run(scene, scene.duration).balls;
-  scene::Random random(trial.seed, 4);
-  double worst = 0;
-  for (int k = 0; k < 4; ++k) {
+  return worst_rerun(trial, 4, [](const Scene& scene, scene::Random& random) {
     Simulation simulation(scene);
     const double frame = scene.duration / (2 + 400 * random.uniform());
     for (double time = frame; time < scene.duration; time += frame) simulation.advance_to(time);
     simulation.advance_to(scene.duration);
-    worst = std::max(worst, different(simulation.state(), expected));
-  }
-  return worst;
+    return simulation.state();
+  });
 }
 
 constexpr auto kBits = "balls that differ in a bit";

@@ -8,12 +8,11 @@
 #include "effects/drag.hpp"
 #include "effects/gravity.hpp"
 #include "effects/rest.hpp"
+#include "solvers/sampling.hpp"
 #include "state/stopwatch.hpp"
 
 namespace carom {
 namespace {
-
-constexpr std::uint64_t kSampling = 31;  // one step in so many has its effects timed
 
 LineOfCentres line_between(const effects::Member& a, const effects::Member& b,
                            const Domain& domain) {
@@ -92,7 +91,7 @@ std::size_t IntegratedSolver::aim(double time) {
 }
 
 bool IntegratedSolver::timed() const {
-  return taken_ % kSampling == 0;
+  return is_sampled(taken_);
 }
 
 bool IntegratedSolver::meets_anything() const {
@@ -730,14 +729,7 @@ void IntegratedSolver::count(Measurements& measurements) const {
   measurements.max_overlap = std::max(measurements.max_overlap, state_.deepest);
   EffectSeconds seconds;
   for (const Find& find : finds_) seconds += find.seconds;
-  const std::uint64_t sampled = (taken_ + kSampling - 1) / kSampling;
-  const double scale =
-      sampled == 0 ? 0 : static_cast<double>(taken_) / static_cast<double>(sampled);
-  for_each_effect([&](const auto& entry) {
-    using Effect = typename std::decay_t<decltype(entry)>::Type;
-    if (!(effects_.*entry.slot)) return;
-    measurements.effects.emplace_back(entry.name, seconds.of<Effect>() * scale);
-  });
+  add_sampled_seconds(effects_, seconds, taken_, measurements);
 }
 
 void IntegratedSolver::save(Scene& scene) const {
