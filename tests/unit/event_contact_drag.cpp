@@ -157,21 +157,21 @@ TEST_F(Drag, four_flights_at_once_have_the_bits_of_one_at_a_time) {
   for (int k = 0; k < 3000; ++k) {
     const DampedLaw<double> law{{between(-2, 2), between(-4, 4)}, size()};
     const Flight<double> me{{between(-3, 3), between(-3, 3)}, {between(-3, 3), between(-3, 3)}};
-    FlightLanes four{{}, {}, {}, {}, me.position, me.velocity, {}, {}};
+    FlightLanes four{{}, {}, {}, {}, me.position, me.velocity, {}};
     for (std::uint32_t l = 0; l < kLanes; ++l) {
       four.x[l] = between(-3, 3);
       four.y[l] = between(-3, 3);
       four.vx[l] = between(-3, 3);
       four.vy[l] = between(-3, 3);
-      four.elapsed[l] = size();
-      four.fifth_later[l] = between(-1, 1) < 0 ? -1 : 0;
+      four.since[l] = either(size());
     }
     const RelativeLanes lanes = relative(law, four);
     for (std::uint32_t l = 0; l < kLanes; ++l) {
       const Flight<double> other{{four.x[l], four.y[l]}, {four.vx[l], four.vy[l]}};
-      const bool later = four.fifth_later[l] != 0;
-      const auto one = relative_at_later_start(
-          law, later ? other : me, static_cast<double>(four.elapsed[l]), later ? me : other);
+      const double since = four.since[l];
+      const bool later = since > 0;
+      const auto one =
+          relative_at_later_start(law, later ? other : me, std::abs(since), later ? me : other);
       const double sign = later ? -1 : 1;
       EXPECT_EQ(lanes.dx[l], sign * one.r.x);
       EXPECT_EQ(lanes.dy[l], sign * one.r.y);

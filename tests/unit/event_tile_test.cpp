@@ -161,6 +161,28 @@ TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_falling_through
   expect_same_bits<Falling>(rules, 9, 8, 5);
 }
 
+// Breaks where a bound is later than what it bounds: walls or squares are then left unseen.
+TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_under_drag) {
+  Rules rules = rules_of(domain(10, 8, false, false));
+  for (const double rate : {0.001, 0.2, 0.6}) {
+    rules.drag_rate = rate;
+    expect_same_bits<Damped>(rules, 8, 6, 8);
+  }
+}
+
+TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_under_gravity_and_drag) {
+  Rules rules = rules_of(domain(10, 8, true, false));
+  rules.gravity = {0.5, -2.25};
+  rules.drag_rate = 0.2;
+  expect_same_bits<Damped>(rules, 8, 6, 4);
+}
+
+TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_falling_fast) {
+  Rules rules = rules_of(domain(10, 8, false, false));
+  rules.gravity = {0.25, -9.75};
+  expect_same_bits<Falling>(rules, 8, 6, 8);
+}
+
 // With a tick this fine, flights are carried on several times and time is counted anew many times.
 TEST(EventTile, counting_time_from_a_later_tick_changes_no_bit) {
   Rules rules = rules_of(domain(12, 10, true, false));

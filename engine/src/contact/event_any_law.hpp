@@ -13,6 +13,7 @@ template <class S>
 class AnyLaw {
  public:
   static constexpr bool kBends = true;
+  static constexpr bool kStretches = false;
 
   AnyLaw(const Vec<S>& gravity, const S& rate)
       : damped_(rate != 0),
@@ -25,6 +26,9 @@ class AnyLaw {
   }
   Vec<S> velocity(const Flight<S>& f, const S& elapsed) const {
     return ask([&](const auto& law) { return law.velocity(f, elapsed); });
+  }
+  Flight<S> after(const Flight<S>& f, const S& elapsed) const {
+    return ask([&](const auto& law) { return event::after(law, f, elapsed); });
   }
   Relative<S> relative(const Flight<S>& earlier, const S& elapsed, const Flight<S>& later) const {
     return ask(
@@ -43,9 +47,9 @@ class AnyLaw {
     if (damped_) return damped_law_.peg_wait(r, v, s, from_contact);
     return straight_ ? pair_time(r, v, s) : ballistic_law_.peg_wait(r, v, s, from_contact);
   }
-  S acceleration(std::size_t axis) const {
-    return ask([&](const auto& law) { return law.acceleration(axis); });
-  }
+  const S& pull(std::size_t axis) const { return damped_law_.pull(axis); }
+  S push(std::size_t axis, const S& v) const { return damped_law_.push(axis, v); }
+  const S& fading() const { return damped_law_.fading(); }
 
  private:
   template <class Question>
@@ -59,6 +63,11 @@ class AnyLaw {
   DampedLaw<S> damped_law_;
   BallisticLaw<S> ballistic_law_;
 };
+
+template <class S>
+Flight<S> after(const AnyLaw<S>& law, const Flight<S>& f, const S& elapsed) {
+  return law.after(f, elapsed);
+}
 
 template <class S>
 Relative<S> relative_at_later_start(const AnyLaw<S>& law, const Flight<S>& earlier,

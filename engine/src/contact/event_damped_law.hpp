@@ -13,18 +13,25 @@ namespace carom::event {
 template <class S>
 struct DampedLaw {
   static constexpr bool kBends = true;
+  static constexpr bool kStretches = true;
   Vec<S> gravity;
   S rate;
 
   Vec<S> displacement(const Flight<S>& f, const S& elapsed) const {
-    const auto d = damping(S(rate * elapsed));
-    return {elapsed * multiply_add(S(gravity.x * elapsed), d.fall, S(f.velocity.x * d.way)),
-            elapsed * multiply_add(S(gravity.y * elapsed), d.fall, S(f.velocity.y * d.way))};
+    return displacement(f, elapsed, damping(S(rate * elapsed)));
   }
   Vec<S> velocity(const Flight<S>& f, const S& elapsed) const {
+    return velocity(f, elapsed, damping(S(rate * elapsed)));
+  }
+  Flight<S> after(const Flight<S>& f, const S& elapsed) const {
     const auto d = damping(S(rate * elapsed));
-    return {multiply_add(f.velocity.x, d.remaining, S(gravity.x * elapsed * d.way)),
-            multiply_add(f.velocity.y, d.remaining, S(gravity.y * elapsed * d.way))};
+    return {f.position + displacement(f, elapsed, d), velocity(f, elapsed, d)};
+  }
+  /// The later starter as seen from the earlier one.
+  Relative<S> relative(const Flight<S>& earlier, const S& elapsed, const Flight<S>& later) const {
+    const auto d = damping(S(rate * elapsed));
+    return {(later.position - earlier.position) - displacement(earlier, elapsed, d),
+            later.velocity - velocity(earlier, elapsed, d)};
   }
   S when(const S& straight) const { return time_of_way(straight, rate); }
   S wall_wait(std::size_t axis, int side, const S& h, const S& v) const {
@@ -38,19 +45,32 @@ struct DampedLaw {
   S peg_wait(const Vec<S>& r, const Vec<S>& v, const S& s, bool from_contact) const {
     return damped_peg_time(r, v, gravity, s, rate, from_contact);
   }
-  S acceleration(std::size_t axis) const { return absolute(axis == 0 ? gravity.x : gravity.y); }
+  const S& pull(std::size_t axis) const { return axis == 0 ? gravity.x : gravity.y; }
+  S push(std::size_t axis, const S& v) const { return multiply_add(S(-rate), v, pull(axis)); }
+  const S& fading() const { return rate; }
 
  private:
-  S pull(std::size_t axis, int side) const { return side * (axis == 0 ? gravity.x : gravity.y); }
+  Vec<S> displacement(const Flight<S>& f, const S& elapsed, const Damping<S>& d) const {
+    return {elapsed * multiply_add(S(gravity.x * elapsed), d.fall, S(f.velocity.x * d.way)),
+            elapsed * multiply_add(S(gravity.y * elapsed), d.fall, S(f.velocity.y * d.way))};
+  }
+  Vec<S> velocity(const Flight<S>& f, const S& elapsed, const Damping<S>& d) const {
+    return {multiply_add(f.velocity.x, d.remaining, S(gravity.x * elapsed * d.way)),
+            multiply_add(f.velocity.y, d.remaining, S(gravity.y * elapsed * d.way))};
+  }
+  S pull(std::size_t axis, int side) const { return side * pull(axis); }
 };
 
-/// The later starter as seen from the earlier one; from here on they move straight relative to
-/// each other in s = (1 - exp(-rate t)) / rate.
+template <class S>
+Flight<S> after(const DampedLaw<S>& law, const Flight<S>& f, const S& elapsed) {
+  return law.after(f, elapsed);
+}
+
+/// From here on they move straight relative to each other in s = (1 - exp(-rate t)) / rate.
 template <class S>
 Relative<S> relative_at_later_start(const DampedLaw<S>& law, const Flight<S>& earlier,
                                     const S& elapsed, const Flight<S>& later) {
-  return {(later.position - earlier.position) - law.displacement(earlier, elapsed),
-          later.velocity - law.velocity(earlier, elapsed)};
+  return law.relative(earlier, elapsed, later);
 }
 
 }  // namespace carom::event

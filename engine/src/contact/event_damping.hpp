@@ -38,6 +38,24 @@ struct DampingCoefficients {
 };
 inline constexpr DampingCoefficients kDampingCoefficients;
 
+/// The series of `fall`, for a double or several side by side, with the same bits; `all` makes one
+/// of a double, `fused` is a b + c rounded once.  Its terms are paired (Estrin's scheme), so that
+/// one need not wait for the other.
+template <class Real, class All, class Fused>
+[[gnu::always_inline]] inline Real damping_series(const Real& x, const All& all,
+                                                  const Fused& fused) {
+  static_assert(kDampingTerms == 15);
+  const auto c = [&all](int n) { return all(kDampingCoefficients.of[n]); };
+  const Real y = -x;
+  const Real y2 = y * y;
+  const Real y4 = y2 * y2;
+  const auto four = [&](int n) {
+    return fused(y2, fused(y, c(n + 3), c(n + 2)), fused(y, c(n + 1), c(n)));
+  };
+  const Real last = fused(y2, c(14), fused(y, c(13), c(12)));
+  return fused(Real(y4 * y4), fused(y4, last, four(8)), fused(y4, four(4), four(0)));
+}
+
 /// Error: about 4 u of each of the three.  REQUIRES: x >= 0.
 template <class S>
 Damping<S> damping(const S& x) {
@@ -50,10 +68,9 @@ Damping<S> damping(const S& x) {
   }
   S fall = 0;
   if constexpr (kIsDouble<S>) {
-    fall = kDampingCoefficients.of[kDampingTerms - 1];
-    for (int n = kDampingTerms - 2; n >= 0; --n) {
-      fall = std::fma(-x, fall, kDampingCoefficients.of[n]);
-    }
+    fall = damping_series(
+        x, [](double a) { return a; },
+        [](double a, double b, double c) { return std::fma(a, b, c); });
   } else {
     S term = S(1) / 2;
     for (int n = 3; absolute(term) > std::numeric_limits<S>::epsilon() / 4; ++n) {

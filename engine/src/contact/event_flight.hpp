@@ -21,22 +21,26 @@ struct Flight {
 // A law of flight gives, besides where a flight goes: when() turns the time of pair_time() into
 // time; wall_wait(), when a ball meets a wall whose normal points along `side` (1 or -1) of an
 // axis, h and v along that normal, and wall_arrival(), its normal velocity then; peg_wait(), when
-// it meets a fixed ball, where flights bend past it; and how fast it accelerates at most.
+// it meets a fixed ball, where flights bend past it; pull(), what pulls it along an axis; push(),
+// how it accelerates there at some velocity, which then fades at the rate fading() and keeps its
+// sign. kStretches: when() does something, and gives no less than it is given.
 
 /// Uniform motion.
 template <class S>
 struct StraightLaw {
   static constexpr bool kBends = false;
+  static constexpr bool kStretches = false;
 
   Vec<S> displacement(const Flight<S>& f, const S& elapsed) const {
     return {f.velocity.x * elapsed, f.velocity.y * elapsed};
   }
-  Vec<S> velocity_change(const Flight<S>&, const S&) const { return {S(0), S(0)}; }
   Vec<S> velocity(const Flight<S>& f, const S&) const { return f.velocity; }
   const S& when(const S& straight) const { return straight; }
   S wall_wait(std::size_t, int, const S& h, const S& v) const { return wall_time(h, v); }
   S wall_arrival(std::size_t, int, const S&, const S& v, const S&) const { return v; }
-  S acceleration(std::size_t) const { return S(0); }
+  S pull(std::size_t) const { return S(0); }
+  S push(std::size_t, const S&) const { return S(0); }
+  S fading() const { return S(0); }
   Vec<S> pull() const { return {S(0), S(0)}; }
   StraightLaw carried(unsigned) const { return {}; }
 };
@@ -45,6 +49,7 @@ struct StraightLaw {
 template <class S>
 struct BallisticLaw {
   static constexpr bool kBends = true;
+  static constexpr bool kStretches = false;
   Vec<S> gravity;
 
   Vec<S> displacement(const Flight<S>& f, const S& elapsed) const {
@@ -52,11 +57,8 @@ struct BallisticLaw {
     return {multiply_add(gravity.x, half, f.velocity.x) * elapsed,
             multiply_add(gravity.y, half, f.velocity.y) * elapsed};
   }
-  Vec<S> velocity_change(const Flight<S>&, const S& elapsed) const {
-    return {gravity.x * elapsed, gravity.y * elapsed};
-  }
   Vec<S> velocity(const Flight<S>& f, const S& elapsed) const {
-    return f.velocity + velocity_change(f, elapsed);
+    return f.velocity + elapsed * gravity;
   }
   const S& when(const S& straight) const { return straight; }
   S wall_wait(std::size_t axis, int side, const S& h, const S& v) const {
@@ -68,7 +70,9 @@ struct BallisticLaw {
   S peg_wait(const Vec<S>& r, const Vec<S>& v, const S& s, bool from_contact) const {
     return peg_time(r, v, gravity, s, from_contact);
   }
-  S acceleration(std::size_t axis) const { return absolute(axis == 0 ? gravity.x : gravity.y); }
+  const S& pull(std::size_t axis) const { return axis == 0 ? gravity.x : gravity.y; }
+  const S& push(std::size_t axis, const S&) const { return pull(axis); }
+  S fading() const { return S(0); }
   const Vec<S>& pull() const { return gravity; }
   /// The law of a ball that something carries along some axes: 1 for x, 2 for y.
   BallisticLaw carried(unsigned axes) const {
@@ -76,13 +80,13 @@ struct BallisticLaw {
   }
 
  private:
-  S pull(std::size_t axis, int side) const { return side * (axis == 0 ? gravity.x : gravity.y); }
+  S pull(std::size_t axis, int side) const { return side * pull(axis); }
 };
 
 /// The flight as it is `elapsed` after its start; after 0 it is itself to the last bit.
 template <class S, class Law>
 Flight<S> after(const Law& law, const Flight<S>& f, const S& elapsed) {
-  return {f.position + law.displacement(f, elapsed), f.velocity + law.velocity_change(f, elapsed)};
+  return {f.position + law.displacement(f, elapsed), law.velocity(f, elapsed)};
 }
 
 /// Position and velocity of one ball as seen from another at one instant.
@@ -101,14 +105,19 @@ struct Relative {
 /// From here on two balls under the same law move straight relative to each other: under uniform
 /// acceleration in the time, under drag in the s of event_damped_law.hpp, which when() turns into
 /// time.
-template <class S, class Law>
-Relative<S> relative_at_later_start(const Law& law, const Flight<S>& earlier, const S& elapsed,
-                                    const Flight<S>& later) {
-  return {(later.position - earlier.position) - law.displacement(earlier, elapsed),
-          (later.velocity - earlier.velocity) - law.velocity_change(earlier, elapsed)};
+template <class S>
+Relative<S> relative_at_later_start(const BallisticLaw<S>& law, const Flight<S>& earlier,
+                                    const S& elapsed, const Flight<S>& later) {
+  const S half = elapsed / 2;
+  const Vec<S> mean{multiply_add(law.gravity.x, half, earlier.velocity.x),
+                    multiply_add(law.gravity.y, half, earlier.velocity.y)};
+  return {{multiply_add(S(-mean.x), elapsed, later.position.x - earlier.position.x),
+           multiply_add(S(-mean.y), elapsed, later.position.y - earlier.position.y)},
+          {multiply_add(S(-law.gravity.x), elapsed, later.velocity.x - earlier.velocity.x),
+           multiply_add(S(-law.gravity.y), elapsed, later.velocity.y - earlier.velocity.y)}};
 }
 
-/// The same in free flight, which is most of all calls: one rounding less.
+/// The same in free flight.
 template <class S>
 Relative<S> relative_at_later_start(const StraightLaw<S>&, const Flight<S>& earlier,
                                     const S& elapsed, const Flight<S>& later) {

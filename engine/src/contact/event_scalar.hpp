@@ -31,7 +31,11 @@ S never() {
 
 template <class S>
 S absolute(const S& a) {
-  return a < 0 ? S(-a) : a;
+  if constexpr (kIsDouble<S>) {
+    return std::abs(a);
+  } else {
+    return a < 0 ? S(-a) : a;
+  }
 }
 
 template <class S>

@@ -1,7 +1,13 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+
+#if defined(__AVX__) && defined(__FMA__)
+#include <immintrin.h>
+#endif
 
 // How lanes are passed depends on the processor's registers; they never leave a translation unit.
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -14,19 +20,61 @@ typedef double Lanes __attribute__((vector_size(32)));
 // NOLINTNEXTLINE(modernize-use-using)
 typedef std::int64_t WholeLanes __attribute__((vector_size(32)));
 inline constexpr std::uint32_t kLanes = 4;
+/// The two axes side by side.
+// NOLINTNEXTLINE(modernize-use-using)
+typedef double TwoLanes __attribute__((vector_size(16)));
+// NOLINTNEXTLINE(modernize-use-using)
+typedef std::int64_t WholeTwoLanes __attribute__((vector_size(16)));
 
+// What the compiler does not always see by itself.
+#if defined(__AVX__) && defined(__FMA__)
 /// a b + c, rounded once.
-inline Lanes fused(Lanes a, Lanes b, Lanes c) {
+[[gnu::always_inline]] inline Lanes fused(Lanes a, Lanes b, Lanes c) {
+  return _mm256_fmadd_pd(a, b, c);
+}
+[[gnu::always_inline]] inline Lanes square_root(Lanes a) {
+  return _mm256_sqrt_pd(a);
+}
+/// Whether a comparison is true in some lane.
+[[gnu::always_inline]] inline bool any(WholeLanes a) {
+  return _mm256_movemask_pd(std::bit_cast<Lanes>(a)) != 0;
+}
+#else
+[[gnu::always_inline]] inline Lanes fused(Lanes a, Lanes b, Lanes c) {
   return Lanes{std::fma(a[0], b[0], c[0]), std::fma(a[1], b[1], c[1]), std::fma(a[2], b[2], c[2]),
                std::fma(a[3], b[3], c[3])};
 }
-inline Lanes square_root(Lanes a) {
+[[gnu::always_inline]] inline Lanes square_root(Lanes a) {
   return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
+[[gnu::always_inline]] inline bool any(WholeLanes a) {
+  return (a[0] | a[1] | a[2] | a[3]) != 0;
+}
+#endif
+[[gnu::always_inline]] inline Lanes all(double a) {
+  return Lanes{a, a, a, a};
+}
+[[gnu::always_inline]] inline WholeLanes all(std::int64_t a) {
+  return WholeLanes{a, a, a, a};
+}
+[[gnu::always_inline]] inline Lanes absolute(Lanes a) {
+  constexpr auto kRest = std::numeric_limits<std::int64_t>::max();
+  return std::bit_cast<Lanes>(std::bit_cast<WholeLanes>(a) & all(kRest));
+}
+
+/// The bits that tell the signs.
+[[gnu::always_inline]] inline WholeTwoLanes signs(TwoLanes a) {
+  constexpr auto kSign = std::numeric_limits<std::int64_t>::min();
+  return std::bit_cast<WholeTwoLanes>(a) & WholeTwoLanes{kSign, kSign};
+}
+/// Times 1 or -1.
+[[gnu::always_inline]] inline TwoLanes with_signs(TwoLanes a, WholeTwoLanes signs) {
+  return std::bit_cast<TwoLanes>(std::bit_cast<WholeTwoLanes>(a) ^ signs);
 }
 
 /// Lane l of the four results holds number l of each row: (x, y, vx, vy) of four balls becomes four
 /// x, four y, four vx, four vy.
-inline void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+[[gnu::always_inline]] inline void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
   const Lanes ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
   const Lanes ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
   const Lanes cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);

@@ -6,6 +6,7 @@
 #include "contact/event_impulse.hpp"
 #include "contact/event_scalar.hpp"
 #include "solvers/event/disk.hpp"
+#include "solvers/event/lanes.hpp"
 #include "solvers/event/physics.hpp"
 #include "solvers/event/room.hpp"
 #include "solvers/event/rules.hpp"
@@ -41,6 +42,8 @@ class Motion {
   /// Where a flight is at `now`, not wrapped.
   [[nodiscard]] Vec<S> place(const Disk& disk, At now) const;
   [[nodiscard]] Vec<S> velocity(const Disk& disk, At now) const;
+  /// Both at once.
+  [[nodiscard]] Flight<S> at(const Disk& disk, At now) const;
   /// From a to b, the shorter way round periodic axes.
   [[nodiscard]] Vec<S> way(const Vec<S>& a, const Vec<S>& b) const;
   [[nodiscard]] Vec<S> wrapped(const Vec<S>& at) const;
@@ -51,8 +54,8 @@ class Motion {
   [[nodiscard]] Time pair_meets(const Disk& a, const Disk& b, bool from_contact = false,
                                 At until = P::Clock::never()) const;
   /// When a ball meets a wall, or has flown so far that its flight starts anew.
-  [[nodiscard]] Meeting<P> alone(const Disk& disk) const;
-
+  /// May be later than it is where that is after `until`.
+  [[nodiscard]] Meeting<P> alone(const Disk& disk, At until = P::Clock::never()) const;
   /// Starts the flight anew where it is at `now`.
   void carry(Disk& disk, At now) const;
   void bounce(Disk& disk, Index wall, At now) const;
@@ -123,12 +126,20 @@ class Motion {
   [[nodiscard]] Rubbing<S> rubbing(const Disk& disk) const requires P::kSpins;
   void rub(Disk& a, Disk& b, const Vec<S>& r) const requires P::kSpins;
   void rub_wall(Disk& disk, std::size_t axis, int side, const S& arrival) const requires P::kSpins;
-  [[nodiscard]] Meeting<P> wall_meeting(const Disk& disk, std::size_t axis) const;
+  /// Whether it goes less than a quick bound says within `wait`, and so far it is from all that it
+  /// can meet alone.
+  [[nodiscard]] bool stays_clear(const Disk& disk, double wait) const requires kIsDouble<S>;
+  [[nodiscard]] Meeting<P> wall_meeting(const Disk& disk, std::size_t axis, bool low,
+                                        bool high) const;
 
   Rules rules_;
   typename P::Law law_;
   Room<S> room_;
   std::array<S, 2> reach_;  ///< how far along a periodic axis a flight may go
+  /// What it can meet alone, in lanes: sides that are there, and how far a flight may go.
+  TwoLanes low_side_{};
+  TwoLanes high_side_{};
+  TwoLanes farthest_{};
   double largest_radius_ = 0;
   std::size_t plain_kinds_ = 1;  ///< without what carries them
   S pull_ = 0;                   ///< gravity's size

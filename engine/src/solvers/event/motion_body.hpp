@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/event_exit.hpp"
 #include "contact/event_impulse.hpp"
 #include "contact/event_pair_time.hpp"
 #include "solvers/event/lanes.hpp"
@@ -25,6 +26,10 @@ Motion<P>::Motion(Rules rules)
     const S period = rules_.domain.period[axis];
     // Two balls whose nearest images do not meet while each goes this far meet in no other image.
     reach_[axis] = std::min(S(period / 8), S((period / 2 - 2 * largest) * 0.4375));
+    const bool solid = room_.solid(axis);
+    low_side_[axis] = solid ? rules_.domain.lower[axis] : -never<double>();
+    high_side_[axis] = solid ? rules_.domain.upper[axis] : never<double>();
+    farthest_[axis] = room_.periodic(axis) ? static_cast<double>(reach_[axis]) : never<double>();
   }
   largest_radius_ = static_cast<double>(largest);
   plain_kinds_ = rules_.kinds.size();
@@ -49,6 +54,12 @@ auto Motion<P>::velocity(const Disk& disk, At now) const -> Vec<S> {
     }
   }
   return {disk.vx, disk.vy};
+}
+
+template <class P>
+[[gnu::always_inline]] inline auto Motion<P>::at(const Disk& disk, At now) const -> Flight<S> {
+  if (now == disk.start || fixed(disk)) return flight(disk);
+  return after(law_of(disk), flight(disk), rules_.scale.seconds(now - disk.start));
 }
 
 template <class P>
@@ -118,35 +129,76 @@ auto Motion<P>::wall_meets(const Disk& disk, Index wall) const -> Time {
 }
 
 template <class P>
-Meeting<P> Motion<P>::wall_meeting(const Disk& disk, std::size_t axis) const {
+Meeting<P> Motion<P>::wall_meeting(const Disk& disk, std::size_t axis, bool low, bool high) const {
   const S& x = axis == 0 ? disk.x : disk.y;
   const S& v = axis == 0 ? disk.vx : disk.vy;
   const S& radius = kind(disk).radius;
-  const S below = x - room_.lowest(axis, radius);
-  const S above = room_.highest(axis, radius) - x;
-  const S low = law_of(disk).wall_wait(axis, 1, below, v);
-  const S high = law_of(disk).wall_wait(axis, -1, above, S(-v));
-  const Time wait = rules_.scale.ticks(std::min(low, high));
+  const auto& law = law_of(disk);
+  S wait_low = never<S>();
+  S wait_high = never<S>();
+  if (low) wait_low = law.wall_wait(axis, 1, S(x - room_.lowest(axis, radius)), v);
+  if (high) wait_high = law.wall_wait(axis, -1, S(room_.highest(axis, radius) - x), S(-v));
+  const Time wait = rules_.scale.ticks(std::min(wait_low, wait_high));
   if (wait == P::Clock::never()) return {};
-  const auto side = static_cast<Index>(2 * axis) + (high < low ? 1U : 0U);
+  const auto side = static_cast<Index>(2 * axis) + (wait_high < wait_low ? 1U : 0U);
   return {disk.start + wait, kWalls + side};
 }
 
+// Within time t a ball goes no farther than v t + a t^2 / 2, whatever drag makes of the two.
 template <class P>
-Meeting<P> Motion<P>::alone(const Disk& disk) const {
+bool Motion<P>::stays_clear(const Disk& disk, double wait) const requires kIsDouble<S> {
+  const auto& law = law_of(disk);
+  const double radius = kind(disk).radius;
+  const TwoLanes at{disk.x, disk.y};
+  const TwoLanes v{disk.vx, disk.vy};
+  TwoLanes most = with_signs(v, signs(v));
+  if constexpr (P::Law::kBends) {
+    const TwoLanes pull{law.pull(0), law.pull(1)};
+    most += with_signs(pull, signs(pull)) * (wait / 2);
+  }
+  const TwoLanes way = most * (wait * (1 + 0x1p-20));
+  const WholeTwoLanes clear =
+      (way < at - (low_side_ + radius)) & (way < (high_side_ - radius) - at) & (way < farthest_);
+  return (clear[0] & clear[1]) != 0;
+}
+
+// Most walls are too far to be met before `until`.
+template <class P>
+Meeting<P> Motion<P>::alone(const Disk& disk, At until) const {
   using std::sqrt;
   Meeting<P> first{disk.start + P::Clock::longest_flight(), kCarry};
+  S wait = never<S>();
+  if (until != P::Clock::never()) {
+    wait = rules_.scale.seconds(until - disk.start + 1);
+    if constexpr (kIsDouble<S>) {
+      if (stays_clear(disk, wait)) return first;
+    }
+  }
+  const S half = wait / 2;
+  const S& radius = kind(disk).radius;
   for (std::size_t axis = 0; axis < 2; ++axis) {
+    const S& x = axis == 0 ? disk.x : disk.y;
+    const S& v = axis == 0 ? disk.vx : disk.vy;
     if (room_.solid(axis)) {
-      const Meeting<P> wall = wall_meeting(disk, axis);
+      const auto reaches = [&](const S& gap, const S& speed, const S& pull) {
+        const S most = larger(speed, S(0)) + larger(pull, S(0)) * half;
+        return !(most * wait * (1 + 0x1p-20) < gap);
+      };
+      const S pull = law_of(disk).pull(axis);
+      const bool low = reaches(S(x - room_.lowest(axis, radius)), S(-v), S(-pull));
+      const bool high = reaches(S(room_.highest(axis, radius) - x), v, pull);
+      if (!low && !high) continue;
+      const Meeting<P> wall = wall_meeting(disk, axis, low, high);
       if (wall.time < first.time) first = wall;
     } else if (room_.periodic(axis)) {
-      const S speed = absolute(axis == 0 ? disk.vx : disk.vy);
-      const S a = law_of(disk).acceleration(axis);
-      const S longest = 2 * reach_[axis] / (speed + sqrt(S(speed * speed + 2 * a * reach_[axis])));
-      const Time wait = rules_.scale.ticks(longest);
-      if (wait != P::Clock::never() && disk.start + wait < first.time) {
-        first = {disk.start + wait, kCarry};
+      const S speed = absolute(v);
+      const S pull = absolute(law_of(disk).pull(axis));
+      if ((speed + pull * half) * wait * (1 + 0x1p-20) < reach_[axis]) continue;
+      const S longest =
+          2 * reach_[axis] / (speed + sqrt(S(speed * speed + 2 * pull * reach_[axis])));
+      const Time ticks = rules_.scale.ticks(longest);
+      if (ticks != P::Clock::never() && disk.start + ticks < first.time) {
+        first = {disk.start + ticks, kCarry};
       }
     }
   }
@@ -155,12 +207,12 @@ Meeting<P> Motion<P>::alone(const Disk& disk) const {
 
 template <class P>
 void Motion<P>::carry(Disk& disk, At now) const {
-  const Vec<S> at = wrapped(place(disk, now));
-  const Vec<S> v = velocity(disk, now);
-  disk.x = at.x;
-  disk.y = at.y;
-  disk.vx = v.x;
-  disk.vy = v.y;
+  const Flight<S> here = at(disk, now);
+  const Vec<S> place = wrapped(here.position);
+  disk.x = place.x;
+  disk.y = place.y;
+  disk.vx = here.velocity.x;
+  disk.vy = here.velocity.y;
   disk.start = now;
 }
 

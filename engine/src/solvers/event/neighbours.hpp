@@ -44,9 +44,19 @@ class Neighbours {
   /// Whether the ball is in its square.
   [[nodiscard]] bool in_square(const typename P::Disk& disk, Index i, typename P::At now) const;
   /// A new square and list for a ball; gives the neighbours it did not have before.
-  [[nodiscard]] const std::vector<Index>& renew(const Disks& disks, Index i, typename P::At now);
-  /// When the ball leaves its square.
+  [[nodiscard]] const std::vector<Index>& renew(const Disks& disks, Index i, typename P::At now) {
+    return renew(disks, i, motion_.at(disks[i], now));
+  }
+  /// The same where it is known where the ball is and how fast.
+  [[nodiscard]] const std::vector<Index>& renew(const Disks& disks, Index i,
+                                                const Flight<typename P::Scalar>& here);
+  /// When the ball leaves its square, or a little before.
+  [[nodiscard, gnu::always_inline]] typename P::Time leaving(const typename P::Disk& disk, Index i,
+                                                             typename P::At now) const {
+    return leaving(disk, i, motion_.at(disk, now), now);
+  }
   [[nodiscard]] typename P::Time leaving(const typename P::Disk& disk, Index i,
+                                         const Flight<typename P::Scalar>& here,
                                          typename P::At now) const;
 
   [[nodiscard]] const Lists& lists() const { return lists_; }
@@ -72,7 +82,7 @@ class Neighbours {
     return static_cast<double>(motion_.kind(disk).radius);
   }
   void choose_skin(const Disks& disks, double area);
-  void set_square(const typename P::Disk& disk, Index i, typename P::At now);
+  void set_square(const typename P::Disk& disk, Index i, const Flight<S>& here);
   [[nodiscard]] std::uint32_t cell_of(const Centre& at) const;
   [[nodiscard]] std::uint32_t gather(std::uint32_t cell);
   [[nodiscard]] std::uint32_t keep_near(const Disks& disks, Index i, std::uint32_t candidates);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "solvers/event/exit_lanes.hpp"
 #include "solvers/event/lanes.hpp"
 #include "solvers/event/neighbours.hpp"
 
@@ -47,7 +48,7 @@ void Neighbours<P>::reset(const Disks& disks, typename P::At now, const Plot& pl
   lists_.reset(slots);
   cells_.reset(std::size_t{count_[0]} * count_[1]);
   for (Index i = 0; i < n; ++i) {
-    set_square(disks[i], i, now);
+    set_square(disks[i], i, motion_.at(disks[i], now));
     cell_[i] = cell_of(centres_[i]);
     cells_.add(cell_[i], i);
   }
@@ -64,16 +65,16 @@ std::uint32_t Neighbours<P>::cell_of(const Centre& at) const {
 }
 
 template <class P>
-void Neighbours<P>::set_square(const typename P::Disk& disk, Index i, typename P::At now) {
+void Neighbours<P>::set_square(const typename P::Disk& disk, Index i, const Flight<S>& here) {
   const auto rough = [](const Vec<S>& a) {
     return Vec<double>{static_cast<double>(a.x), static_cast<double>(a.y)};
   };
-  const Vec<double> at = rough(motion_.place(disk, now));
+  const Vec<double> at = rough(here.position);
   if (motion_.fixed(disk)) {
     centres_[i] = {at.x, at.y};
     return;
   }
-  const Vec<double> v = rough(motion_.velocity(disk, now));
+  const Vec<double> v = rough(here.velocity);
   const double speed = std::max(std::abs(v.x), std::abs(v.y));
   // A speed near the least number there is would take for ever.
   const double wait = speed > 0 ? kForward * skin_ / speed : 0;
@@ -86,32 +87,31 @@ void Neighbours<P>::set_square(const typename P::Disk& disk, Index i, typename P
 }
 
 template <class P>
-typename P::Time Neighbours<P>::leaving(const typename P::Disk& disk, Index i,
-                                        typename P::At now) const {
+[[gnu::always_inline]] inline typename P::Time Neighbours<P>::leaving(const typename P::Disk& disk,
+                                                                      Index i,
+                                                                      const Flight<S>& here,
+                                                                      typename P::At now) const {
   if (motion_.fixed(disk)) return P::Clock::never();
-  const S skin = skin_;
-  const Vec<S> off = motion_.way({centres_[i].x, centres_[i].y}, motion_.place(disk, now));
-  const Vec<S> v = motion_.velocity(disk, now);
+  const Vec<S>& v = here.velocity;
   S wait = 0;
-  if constexpr (P::Law::kBends) {
-    const auto& law = motion_.law_of(disk);
-    wait = std::min({law.wall_wait(0, -1, S(skin - off.x), S(-v.x)),
-                     law.wall_wait(0, 1, S(skin + off.x), v.x),
-                     law.wall_wait(1, -1, S(skin - off.y), S(-v.y)),
-                     law.wall_wait(1, 1, S(skin + off.y), v.y)});
+  if constexpr (kIsDouble<S>) {
+    const TwoLanes period{periods_[0], periods_[1]};
+    const TwoLanes off{here.position.x - centres_[i].x, here.position.y - centres_[i].y};
+    wait = square_exit_bound(motion_.law_of(disk), nearest(off, period, period / 2),
+                             TwoLanes{v.x, v.y}, skin_);
   } else {
-    const auto along = [&skin](const S& at, const S& speed) {
-      if constexpr (kIsDouble<S>) {  // without a branch on which way it flies
-        return (skin - std::copysign(1.0, speed) * at) / std::abs(speed);
-      } else {
-        return S((speed < 0 ? S(skin + at) : S(skin - at)) / absolute(speed));
-      }
+    const S skin = skin_;
+    const Vec<S> off = motion_.way({centres_[i].x, centres_[i].y}, here.position);
+    const auto& law = motion_.law_of(disk);
+    const auto along = [&](std::size_t axis, const S& at, const S& speed) {
+      const S forward = speed < 0 ? S(-at) : at;
+      const S& push = law.push(axis, speed);
+      return exit_bound(S(skin - forward), S(skin + forward), absolute(speed),
+                        speed < 0 ? S(-push) : push, S(law.fading()));
     };
-    const S wait_x = along(off.x, v.x);
-    const S wait_y = along(off.y, v.y);
-    wait = std::min(v.x == 0 ? never<S>() : wait_x, v.y == 0 ? never<S>() : wait_y);
+    wait = std::min(along(0, off.x, v.x), along(1, off.y, v.y));
   }
-  const auto ticks = motion_.rules().scale.ticks(std::max(wait, S(0)));
+  const auto ticks = motion_.rules().scale.ticks(wait);
   return ticks == P::Clock::never() ? ticks : typename P::Time(now + ticks);
 }
 
@@ -219,8 +219,8 @@ void Neighbours<P>::list(const Disks& disks, Index i) {
 }
 
 template <class P>
-const std::vector<Index>& Neighbours<P>::renew(const Disks& disks, Index i, typename P::At now) {
-  set_square(disks[i], i, now);
+const std::vector<Index>& Neighbours<P>::renew(const Disks& disks, Index i, const Flight<S>& here) {
+  set_square(disks[i], i, here);
   const std::uint32_t cell = cell_of(centres_[i]);
   if (cell != cell_[i]) {
     cells_.remove(cell_[i], i);
@@ -233,7 +233,7 @@ const std::vector<Index>& Neighbours<P>::renew(const Disks& disks, Index i, type
 
 template <class P>
 void Neighbours<P>::add(const Disks& disks, Index i, typename P::At now) {
-  set_square(disks[i], i, now);
+  set_square(disks[i], i, motion_.at(disks[i], now));
   cell_[i] = cell_of(centres_[i]);
   cells_.add(cell_[i], i);
   list(disks, i);

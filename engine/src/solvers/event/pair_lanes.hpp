@@ -7,7 +7,7 @@
 namespace carom::event {
 
 /// a b + c d as sum_of_products() has it, lane by lane.
-inline Lanes sum_of_products(Lanes a, Lanes b, Lanes c, Lanes d) {
+[[gnu::always_inline]] inline Lanes sum_of_products(Lanes a, Lanes b, Lanes c, Lanes d) {
   const Lanes p = a * b;
   const Lanes q = c * d;
   return (p + q) + (fused(a, b, -p) + fused(c, d, -q));
@@ -16,9 +16,10 @@ inline Lanes sum_of_products(Lanes a, Lanes b, Lanes c, Lanes d) {
 /// pair_time() of contact/event_pair_time.hpp for four pairs side by side, with the same bits:
 /// seconds until disks at (dx, dy) from each other and moving at (vx, vy) to each other come within
 /// `reach`, infinite where they never do.  A lane that is not wanted may hold anything finite.
-inline Lanes pair_times(Lanes dx, Lanes dy, Lanes vx, Lanes vy, Lanes reach) {
+[[gnu::always_inline]] inline Lanes pair_times(Lanes dx, Lanes dy, Lanes vx, Lanes vy,
+                                               Lanes reach) {
   const Lanes zero{};
-  const Lanes never = zero + std::numeric_limits<double>::infinity();
+  const Lanes never = all(std::numeric_limits<double>::infinity());
   const auto two_sum_lost = [](Lanes a, Lanes b, Lanes sum) {
     const Lanes b_part = sum - a;
     return (a - (sum - b_part)) + (b - b_part);

@@ -134,6 +134,7 @@ class Tile {
                      Meeting<P>& best) const requires kIsDouble<S>;
   void look_singly(Index i, Index other, At now, Meeting<P>& best) const;
   void look_at_peg(Index i, Index peg, Meeting<P>& best) const;
+  void look_alone(Index i, Meeting<P>& best) const;
   void link(Index i, const Meeting<P>& best);
   void unlink(Index i);
 

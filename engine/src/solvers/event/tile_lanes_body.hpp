@@ -10,12 +10,23 @@ template <class P>
 void Tile<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
                             Meeting<P>& best) const requires kIsDouble<S> {
   const Disk& me = disks_[i];
-  const auto& rules = motion_.rules();
-  const Lanes zero{};
-  const WholeLanes none{};
-  const double my_radius = motion_.kind(me).radius;
   const auto row_of = [](const Disk& disk) { return Lanes{disk.x, disk.y, disk.vx, disk.vy}; };
-  const auto kind_of = [&](const Disk* disk) { return motion_.kind(*disk); };
+  const auto radius_of = [&](const Disk* disk) { return motion_.kind(*disk).radius; };
+  // What the loop does not change, out of the reach of what it calls.
+  const typename P::Law law = motion_.law();
+  const Lanes zero{};
+  const WholeLanes never = all(kNever);
+  const Lanes longest = all(static_cast<double>(kLongestFlight));
+  const double tick = motion_.rules().scale.tick();
+  const double per_second = motion_.rules().scale.per_second();
+  const Lanes period_x = all(motion_.periods()[0]);
+  const Lanes period_y = all(motion_.periods()[1]);
+  const Lanes half_x = period_x / 2;
+  const Lanes half_y = period_y / 2;
+  const double my_radius = radius_of(&me);
+  const Vec<double> my_place{me.x, me.y};
+  const Vec<double> my_velocity{me.vx, me.vy};
+  const WholeLanes my_start = all(me.start);
   for (std::uint32_t from = 0; from < count; from += kLanes) {
     // A lane without a ball holds the ball itself, which it does not approach.
     const Disk* disk[kLanes];
@@ -31,33 +42,38 @@ void Tile<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, A
     const WholeLanes meets{disk[0]->meets, disk[1]->meets, disk[2]->meets, disk[3]->meets};
 
     // Both as they are at the later of the two starts: only the earlier flight has moved by then.
-    const WholeLanes since = me.start - start;
-    const WholeLanes mine = since > none;
-    const WholeLanes later = mine ? none + me.start : start;
-    const Lanes elapsed =
-        __builtin_convertvector(mine ? since : -since, Lanes) * rules.scale.tick();
-    RelativeLanes r =
-        relative(motion_.law(), {x, y, vx, vy, {me.x, me.y}, {me.vx, me.vy}, elapsed, mine});
-    r.dx = nearest(r.dx, zero + motion_.periods()[0], zero + motion_.periods()[0] / 2);
-    r.dy = nearest(r.dy, zero + motion_.periods()[1], zero + motion_.periods()[1] / 2);
-    Lanes reach = zero + 2 * my_radius;
+    const WholeLanes later = start > my_start ? start : my_start;
+    const Lanes since = __builtin_convertvector(my_start - start, Lanes) * tick;
+    RelativeLanes r = relative(law, {x, y, vx, vy, my_place, my_velocity, since});
+    r.dx = nearest(r.dx, period_x, half_x);
+    r.dy = nearest(r.dy, period_y, half_y);
+    Lanes reach = all(2 * my_radius);
     if (!motion_.one_kind()) {
-      reach = my_radius + Lanes{kind_of(disk[0]).radius, kind_of(disk[1]).radius,
-                                kind_of(disk[2]).radius, kind_of(disk[3]).radius};
+      reach = my_radius +
+              Lanes{radius_of(disk[0]), radius_of(disk[1]), radius_of(disk[2]), radius_of(disk[3])};
     }
-    const Lanes wait =
-        when(motion_.law(), pair_times(r.dx, r.dy, r.dvx, r.dvy, reach)) * rules.scale.per_second();
-    const Lanes longest = zero + static_cast<double>(kLongestFlight);
+    Lanes wait = pair_times(r.dx, r.dy, r.dvx, r.dvy, reach);
+    if constexpr (P::Law::kStretches) {
+      // What is too late without it need not be known.
+      const Lanes least = wait * per_second * (1 - 0x1p-30);
+      const WholeLanes early =
+          later + __builtin_convertvector(least < longest ? least : zero, WholeLanes);
+      const WholeLanes wanted = (least < longest) & (early <= meets) & (early <= all(best.time));
+      if (!any(wanted)) continue;
+      wait = when(law, wait, wanted);
+    }
+    wait *= per_second;
     WholeLanes at = later + __builtin_convertvector(wait < longest ? wait : zero, WholeLanes);
-    at = at > now ? at : none + now;
-    at = wait < longest ? at : none + kNever;
-    const WholeLanes tie = (at == meets) & (at < kNever);
-    if ((tie[0] | tie[1] | tie[2] | tie[3]) != 0) {
+    at = at > now ? at : all(now);
+    at = wait < longest ? at : never;
+    const WholeLanes tie = (at == meets) & (at < never);
+    if (any(tie)) {
       for (std::uint32_t l = 0; l < kLanes; ++l) {
         if (tie[l] != 0 && disk[l]->partner != i) note_tie(at[l]);
       }
     }
-    at = at < meets ? at : none + kNever;
+    at = at < meets ? at : never;
+    if (!any((at <= all(best.time)) & (at < never))) continue;
     for (std::uint32_t l = 0; l < kLanes; ++l) {
       if (at[l] > best.time) continue;
       if (at[l] < best.time) {

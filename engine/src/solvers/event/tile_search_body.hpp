@@ -47,6 +47,16 @@ void Tile<P>::look_at_peg(Index i, Index peg, Meeting<P>& best) const {
   if (at < best.time) best = {at, peg};
 }
 
+// Looks no farther than its square, for then it looks again.
+template <class P>
+void Tile<P>::look_alone(Index i, Meeting<P>& best) const {
+  const Disk& me = disks_[i];
+  const Meeting<P> alone = motion_.alone(me, std::min(best.time, me.leaves));
+  const bool known = alone.partner == me.partner;
+  if (alone.time == best.time && alone.partner != kCarry && !known) note_tie(alone.time);
+  if (alone.time < best.time) best = alone;
+}
+
 // Finds what the ball meets before `meets`, which is no more than a time it is free until.
 template <class P>
 void Tile<P>::scan(Index i, At now) {
@@ -54,11 +64,10 @@ void Tile<P>::scan(Index i, At now) {
   if (motion_.fixed(me)) return;
   ++counts_.scans;
   Meeting<P> best{me.meets, kUnknown};
-  Meeting<P> alone = motion_.alone(me);
   if constexpr (P::kRests) {
     // First, as it leaves less to look for.
+    const Meeting<P> alone = motion_.alone(me);
     if (alone.time < best.time) best = alone;
-    alone = {};
   }
   if (motion_.rules().collisions) {
     const auto& lists = neighbours_.lists();
@@ -67,8 +76,7 @@ void Tile<P>::scan(Index i, At now) {
       if (node->next == 0) break;
     }
   }
-  if (alone.time == best.time && alone.partner != kCarry) note_tie(alone.time);
-  if (alone.time < best.time) best = alone;
+  if constexpr (!P::kRests) look_alone(i, best);
   if (best.time < now) best.time = now;
   link(i, best);
 }
