@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "carom/crew.hpp"
+#include "carom/scene_file.hpp"
 #include "carom/session.hpp"
 #include "solvers/event/event_solver.hpp"
 #include "support/scenes.hpp"
@@ -178,6 +179,25 @@ TEST(EventWindows, WorkersOfASessionGiveTheSameBits) {
     EXPECT_EQ(session.simulation().state_hash(), expected) << workers << " workers";
     EXPECT_EQ(session.simulation().measure().phases.size(),
               workers == 1 || workers == 40 ? 1U : 5U);
+  }
+}
+
+TEST(EventWindows, WorkersThatStopAndGoOnInOtherNumbersGiveTheSameBits) {
+  Scene scene = test::gas(70, 60, 0.4);
+  scene.solver.method = Method::event;
+  scene.workers = 1;
+  Simulation whole(scene);
+  whole.advance_to(0.4);
+  for (const double stop : {0.0123, 0.31}) {
+    scene.workers = 2;
+    Simulation first(scene);
+    first.advance_to(stop);
+    Scene saved = parse_scene(write_scene(first.save()), "saved");
+    saved.workers = 3;
+    Simulation second(saved);
+    second.advance_to(0.4);
+    EXPECT_EQ(second.state_hash(), whole.state_hash()) << stop;
+    EXPECT_EQ(second.measure().phases.size(), 5U);
   }
 }
 

@@ -34,35 +34,6 @@ double ratio_energy(const Trial& trial) {
   return energy_error(run_collisions(trial.scene, 1e5).measured);
 }
 
-/// Turned round at the end of its time: setting the field anew starts all flights where they are,
-/// so that their velocities can be turned in all their digits.
-Scene turned(const Scene& scene) {
-  Simulation simulation(scene);
-  simulation.advance_to(scene.duration);
-  Effects same;
-  same.gravity = scene.effects.gravity;
-  simulation.apply(command::SetEffects{same});
-  Scene back = simulation.save();
-  const auto turn = [](std::string& number) {
-    if (number.starts_with('-')) {
-      number.erase(0, 1);
-    } else {
-      number.insert(0, 1, '-');
-    }
-  };
-  for (SavedFlight& flight : back.continuation->flights) {
-    for (std::string& component : flight.velocity) turn(component);
-  }
-  for (Ball& each : back.balls) each.velocity *= -1;
-  return back;
-}
-
-/// How far the way back ends from the start.
-double way_back(const Scene& scene) {
-  const Outcome outcome = run(turned(scene), 2 * scene.duration);
-  return farthest(outcome.balls, populate(scene));
-}
-
 /// By the flow's condition there and back, 10^5 each way at most, in parts of 64 u of the box.
 double reversal_error(const Trial& trial) {
   constexpr double kCondition = 100845;

@@ -8,6 +8,33 @@
 
 namespace carom::hard {
 
+namespace {
+
+/// Turned round at the end of its time: setting the field anew starts all flights where they are,
+/// so that their velocities can be turned in all their digits.
+Scene turned(const Scene& scene) {
+  Simulation simulation(scene);
+  simulation.advance_to(scene.duration);
+  Effects same;
+  same.gravity = scene.effects.gravity;
+  simulation.apply(command::SetEffects{same});
+  Scene back = simulation.save();
+  const auto turn = [](std::string& number) {
+    if (number.starts_with('-')) {
+      number.erase(0, 1);
+    } else {
+      number.insert(0, 1, '-');
+    }
+  };
+  for (SavedFlight& flight : back.continuation->flights) {
+    for (std::string& component : flight.velocity) turn(component);
+  }
+  for (Ball& each : back.balls) each.velocity *= -1;
+  return back;
+}
+
+}  // namespace
+
 Ball ball(double x, double y, double vx, double vy, double radius, double mass) {
   Ball result;
   result.position = {x, y};
@@ -63,6 +90,10 @@ double momentum_error(const Scene& scene, const Outcome& outcome) {
 
 double energy_error(const Measurements& measured) {
   return std::abs(measured.energy_final - measured.energy_initial) / measured.energy_initial;
+}
+
+double way_back(const Scene& scene) {
+  return farthest(run(turned(scene), 2 * scene.duration).balls, populate(scene));
 }
 
 }  // namespace carom::hard
