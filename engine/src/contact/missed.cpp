@@ -26,14 +26,6 @@ double least_square(const Vec2& r, const Vec2& way) {
   return (r - part * way).squaredNorm();
 }
 
-Vec2 nearest(Vec2 r, const Domain& domain) {
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    double& x = r[static_cast<Eigen::Index>(axis)];
-    if (domain.period[axis] > 0) x = nearest_image(x, domain.period[axis]);
-  }
-  return r;
-}
-
 /// The pieces of the way of a bullet, from wall to wall.
 class Way {
  public:
@@ -98,9 +90,9 @@ std::uint64_t count_missed(const Balls& balls, const Domain& domain, double step
         const double reach = radius + balls.radius[Balls::index(j)];
         const double square = reach * reach;
         const auto touches = [&](const Vec2& at) {
-          return nearest(balls.at(j) - at, domain).squaredNorm() <= square;
+          return nearest_image(balls.at(j) - at, domain).squaredNorm() <= square;
         };
-        if (least_square(nearest(balls.at(j) - from, domain), piece) >= square) continue;
+        if (least_square(nearest_image(balls.at(j) - from, domain), piece) >= square) continue;
         if (!touches(bullet.position) && !touches(arrived)) ++missed;
       }
     }

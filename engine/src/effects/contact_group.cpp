@@ -95,10 +95,7 @@ void ContactGroup::store(Balls& balls, const Domain& domain) const {
 }
 
 Vec2 ContactGroup::apart(const Contact& contact, const Domain& domain) const {
-  Vec2 r = members[contact.b].position - members[contact.a].position;
-  if (domain.period[0] > 0) r.x() = nearest_image(r.x(), domain.period[0]);
-  if (domain.period[1] > 0) r.y() = nearest_image(r.y(), domain.period[1]);
-  return r;
+  return nearest_image(members[contact.b].position - members[contact.a].position, domain);
 }
 
 double ContactGroup::kinetic_energy() const {

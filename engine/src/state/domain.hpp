@@ -60,4 +60,13 @@ inline double nearest_image(double difference, double period) {
   return difference < -half ? difference + period : difference;
 }
 
+/// From one wrapped place to another, the shorter way round every periodic axis.
+inline Vec2 nearest_image(Vec2 difference, const Domain& domain) {
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    const double period = domain.period[static_cast<std::size_t>(k)];
+    if (period > 0) difference[k] = nearest_image(difference[k], period);
+  }
+  return difference;
+}
+
 }  // namespace carom

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/first_contact.hpp"
+#include "contact/impulse.hpp"
 #include "effects/flight.hpp"
 #include "effects/friction.hpp"
 #include "solvers/integrated/splitting.hpp"
@@ -109,6 +110,8 @@ class IntegratedSolver final : public Solver {
   [[nodiscard]] Vec2 acceleration(std::uint32_t i) const;
   [[nodiscard]] effects::Member member(std::uint32_t i) const;
   void put_back(const effects::Member& member);
+  [[nodiscard]] LineOfCentres line_between(const effects::Member& a,
+                                           const effects::Member& b) const;
   void back_to_start();
   void look_ahead();
   void strike(const Meeting& meeting);

@@ -1,0 +1,116 @@
+#include "solvers/integrated/integrated_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/impulse.hpp"
+
+namespace carom {
+
+effects::Member IntegratedSolver::member(std::uint32_t i) const {
+  const Balls& balls = state_.balls;
+  const Eigen::Index k = Balls::index(i);
+  effects::Member member;
+  member.ball = i;
+  member.position = member.start = balls.at(i);
+  member.velocity = {balls.velocity[0][k], balls.velocity[1][k]};
+  member.radius = balls.radius[k];
+  member.mass = balls.mass[k];
+  member.inverse_mass = balls.inverse_mass[k];
+  if (effects_.friction) member.spin = balls.spin[k];
+  return member;
+}
+
+void IntegratedSolver::put_back(const effects::Member& member) {
+  if (member.inverse_mass == 0) return;
+  Balls& balls = state_.balls;
+  const Eigen::Index k = Balls::index(member.ball);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const Eigen::Index c = Balls::index(axis);
+    balls.velocity[axis][k] = member.velocity[c];
+    if (balls.position[axis][k] == member.position[c]) continue;
+    balls.position[axis][k] = member.position[c];
+    state_.pull_known = false;
+  }
+  if (effects_.friction) balls.spin[k] = member.spin;
+}
+
+LineOfCentres IntegratedSolver::line_between(const effects::Member& a,
+                                             const effects::Member& b) const {
+  return line_of_centres(nearest_image(b.position - a.position, domain_), b.velocity - a.velocity);
+}
+
+bool IntegratedSolver::too_often(const Meeting& meeting) {
+  constexpr std::ptrdiff_t kOften = 16;
+  struck_.push_back(meeting.who());
+  return std::count(struck_.begin(), struck_.end(), meeting.who()) > kOften;
+}
+
+void IntegratedSolver::strike(const Meeting& meeting) {
+  if (too_often(meeting)) resting_.push_back(meeting);
+  if (meeting.with_wall()) {
+    strike_wall(meeting);
+  } else {
+    strike_balls(meeting);
+  }
+}
+
+void IntegratedSolver::strike_balls(const Meeting& meeting) {
+  effects::Member a = member(meeting.i);
+  effects::Member b = member(meeting.j);
+  const LineOfCentres line = line_between(a, b);
+  const double closing = (b.velocity - a.velocity).dot(line.r);
+  if (!approaches(closing, line.length, a.velocity, b.velocity)) {
+    resting_.push_back(meeting);
+    return;
+  }
+  const double restitution = effects_.collisions->restitution;
+  const bool bounces =
+      restitution == 1 || -closing > line.length * rest_speed(meeting.i, meeting.j);
+  if (!bounces) resting_.push_back(meeting);
+  const double inverse_masses = a.inverse_mass + b.inverse_mass;
+  const double j = impulse(closing, line.square, inverse_masses, bounces ? restitution : 0);
+  a.velocity -= j * a.inverse_mass * line.r;
+  b.velocity += j * b.inverse_mass * line.r;
+  if (effects_.friction && effects_.friction->balls > 0) {
+    effects::rub(a, b, line, j * line.length, effects_.friction->balls);
+  }
+  if (bounces) {
+    ++state_.ball_ball;
+    // What rested against one of the two may be hit now.
+    std::erase_if(resting_, [&](const Meeting& other) {
+      return other.i == a.ball || other.i == b.ball || other.j == a.ball || other.j == b.ball;
+    });
+  }
+  const double depth = a.radius + b.radius - line.distance;
+  state_.deepest = std::max(state_.deepest, depth / std::min(a.radius, b.radius));
+  put_back(a);
+  put_back(b);
+}
+
+void IntegratedSolver::strike_wall(const Meeting& meeting) {
+  const std::uint32_t side = meeting.j - Meeting::kWall;
+  const std::size_t axis = side / 2;
+  const double outwards = side % 2 == 1 ? 1 : -1;
+  const Eigen::Index k = Balls::index(axis);
+  effects::Member ball = member(meeting.i);
+  ball.position[k] =
+      outwards > 0 ? domain_.highest(axis, ball.radius) : domain_.lowest(axis, ball.radius);
+  const double arrival = outwards * ball.velocity[k];
+  if (!(arrival > 0)) {
+    resting_.push_back(meeting);
+  } else {
+    const double restitution = effects_.walls->restitution;
+    const bool bounces = restitution == 1 || arrival > rest_speed(meeting.i, meeting.i);
+    if (!bounces) resting_.push_back(meeting);
+    const double leaving = bounces ? restitution * arrival : 0;
+    ball.velocity[k] = -outwards * leaving;
+    if (effects_.friction && effects_.friction->walls > 0) {
+      effects::rub_wall(ball, axis, outwards * (arrival + leaving), effects_.friction->walls);
+    }
+    if (bounces) ++state_.ball_wall;
+  }
+  put_back(ball);
+}
+
+}  // namespace carom
