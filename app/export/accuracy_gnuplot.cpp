@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,7 +42,8 @@ struct Pipe {
   std::array<int, 2> ends{-1, -1};
 
   Pipe() {
-    if (pipe(ends.data()) != 0) fail("gnuplot");
+    // A pair of sockets, which, unlike a pipe, can be told to send no signal when nobody reads.
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) fail("gnuplot");
   }
   ~Pipe() {
     close_end(0);
@@ -75,8 +77,8 @@ std::string drawn(const std::string& script) {
   if (errno != 0) fail("gnuplot");
   in.close_end(0);
   out.close_end(1);
-  const bool told =
-      write(in.ends[1], script.data(), script.size()) == static_cast<ssize_t>(script.size());
+  const bool told = send(in.ends[1], script.data(), script.size(), MSG_NOSIGNAL) ==
+                    static_cast<ssize_t>(script.size());
   in.close_end(1);
   std::string picture;
   std::array<char, 4096> buffer{};

@@ -96,21 +96,27 @@ double graze_deflection(const Trial& trial) {
   });
 }
 
-/// A ball flies a million diameters to one at rest and stops where it touches: the error of its
-/// place in parts of the way, which is that of the contact time, in units of 4 u.
+/// A ball flies a million diameters to one at rest, head-on or aside by `height` contact distances:
+/// the time at which they touch, from how far the other one has gone since, in parts of the flight
+/// and units of 4 u.
 double far_contact(const Trial& trial) {
+  constexpr double kAside = 0x99999p-20;  // 0.6; like the way it is a multiple of 2^-20
   double worst = 0;
   for (const double origin : {0.0, 0x1p30}) {
     for (const double way : {1e3, 1e6}) {
-      const Scene scene = with_balls(
-          trial.scene, {ball(origin, origin, 1, 0), ball(origin + way + 1, origin, 0, 0)});
-      const Outcome outcome = run(scene, 1.5 * way);
-      const double stop = outcome.balls[0].position.x() - origin;
-      const double gone = outcome.balls[1].position.x() - (origin + way + 1);
-      // What the places themselves are rounded to is no error of the time.
-      const double rounding = origin > 0 ? origin * 2 * kUnit : 0;
-      const double error = std::max({std::abs(stop - way), std::abs(gone - way / 2)}) - rounding;
-      worst = std::max(worst, error / way / (4 * kUnit));
+      for (const double height : {0.0, kAside}) {
+        const double cosine = std::sqrt((1 - height) * (1 + height));  // of the line of centres
+        const double time = 1.5 * way;
+        const Ball hit = ball(origin + way + 1, origin, 0, 0);
+        const Scene scene = with_balls(trial.scene, {ball(origin, origin + height, 1, 0), hit});
+        const Outcome outcome = run(scene, time);
+        const double gone = outcome.balls[1].position.x() - hit.position.x();
+        const double contact = time - gone / (cosine * cosine);
+        // What the places themselves are rounded to is no error of the time.
+        const double rounding = origin > 0 ? origin * 2 * kUnit / (cosine * cosine) : 0;
+        const double error = std::abs(contact - (way + 1 - cosine)) - rounding;
+        worst = std::max(worst, error / way / (4 * kUnit));
+      }
     }
   }
   return worst;
