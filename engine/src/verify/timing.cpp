@@ -106,14 +106,15 @@ double far_contact(const Trial& trial) {
     for (const double way : {1e3, 1e6}) {
       for (const double height : {0.0, kAside}) {
         const double cosine = std::sqrt((1 - height) * (1 + height));  // of the line of centres
-        const double time = 1.5 * way;
+        const double time = way + 1;  // soon after, while the line of centres hardly matters
         const Ball hit = ball(origin + way + 1, origin, 0, 0);
         const Scene scene = with_balls(trial.scene, {ball(origin, origin + height, 1, 0), hit});
         const Outcome outcome = run(scene, time);
         const double gone = outcome.balls[1].position.x() - hit.position.x();
         const double contact = time - gone / (cosine * cosine);
         // What the places themselves are rounded to is no error of the time.
-        const double rounding = origin > 0 ? origin * 2 * kUnit / (cosine * cosine) : 0;
+        const double rounded = height > 0 ? origin + way : origin;
+        const double rounding = 4 * kUnit * rounded / (cosine * cosine);
         const double error = std::abs(contact - (way + 1 - cosine)) - rounding;
         worst = std::max(worst, error / way / (4 * kUnit));
       }
