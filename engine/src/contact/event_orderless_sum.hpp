@@ -19,6 +19,8 @@ class OrderlessSum {
 
   /// The term as it counts.
   S rounded(const S& term) const { return (term + grid_) - grid_; }
+  /// What does that, for many terms side by side.
+  const S& grid() const { return grid_; }
 
  private:
   static S power_above(const S& bound) {

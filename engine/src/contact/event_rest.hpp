@@ -21,42 +21,35 @@ namespace carom::event {
 // together, and are counted.  Balls that have been hit within 2^15 ticks before are resolved with
 // all that touch them as one joint_impact().
 //
-// Rule 3, hopping.  A contact that presses but slides (a ball on the side of another, a pile that
-// creeps) has no closed-form path.  It hops: an impact slower than 4 kHop sqrt(g s) of two that
-// have both been hit within the time of such a hop parts as fast as it came, and not slower than
-// kHop sqrt(g s); so does any impact of two that were hit within 2^-5 of that (Luding and
-// McNamara, Granular Matter 1 (1998) 113: contacts that follow each other within a contact's
-// duration lose nothing).  Hops are s 2^-15 high.  Contacts of one instant hop together, by the
-// least impulses.
+// Rule 3, crowds.  A contact that lasts and slides (a ball on the side of another, a pile that
+// creeps) has no closed form.  Under gravity and with losses the balls of such contacts are a
+// crowd, which is stepped: at every whole multiple of a power of two of ticks, h, about 2^-5 of the
+// time of a fall through the largest radius, each of its balls gets g h and the least impulses by
+// which no contact closes beyond touching until the next step, friction included, and flies
+// straight till then.  Impacts with others still come at their own times.  Two join a crowd by an
+// impact
+//   - after which they would meet again within a step, as gravity presses them together,
+//   - or shortly after both have been hit: within 2^-12 sqrt(s/g), and 2^-12 of s: contacts last
+//     so long (Luding and McNamara, Granular Matter 1 (1998) 113).
+// A harder impact on a crowd is resolved for all of it at once: by the least impulses that stop
+// the approach, given 1 + e times, and again without e.  A ball that nothing in the crowd carries
+// leaves it.  A crowd gains no energy, counted without what gravity has given it ahead of its fall.
 //
-// Rule 4, rest.  At every whole multiple of a power of two of ticks, about the time of a fall
-// through a ball, balls that are near and slow to each other are asked whether forces can carry
-// them: settle() lets them sink to where all loaded contacts are closed; those that do not move
-// there, by less than 2^-7 of s away, and have no partner that moves, are put there at rest, or to
-// their common drift where no wall stops it.  A ball on a single one rests only straight above it.
+// Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
+// to rest where they are: forces can carry them.  A ball on a single fixed one rests only straight
+// above it.  While a crowd rests it costs nothing.
 //
-// Rule 5, waking.  A group at rest wakes as a whole when a ball that is not of it hits one that is,
-// when one of it is removed, or when gravity is set: all of it flies on from there.
+// Rule 5, waking.  A crowd at rest moves again when a ball that is not of it hits one that is, when
+// one of it is removed, or when gravity is set.
 //
-// What there is to save of this is, ball by ball, the axes along which something carries it;
-// which balls form a group, and which have been hit lately, follows from the flights.
+// What there is to save of this is, ball by ball, the axes along which something carries it, and
+// whether it is in a crowd, and rests; the rest follows from the flights.
 
 /// Rule 1: leaving at v, pressed back by a, the hop is over before the clock moves.
 template <class S>
 bool bounces_out(const S& v, const S& a, const S& restitution, const S& resolution) {
   return restitution < 1 && a > 0 && 2 * v <= a * resolution;
 }
-
-/// Rule 3, in units of sqrt(g s): the speed at which hopping balls part, and how much faster than
-/// that an impact may be to count as a hop.
-inline constexpr double kHop = 0x1p-7;
-inline constexpr double kSlow = 4;
-/// An impact of two that have both been hit within this part of the time in which gravity makes
-/// the speed of a hop counts as one however fast it is: shocks pass through a crowd in bounded
-/// impacts.
-inline constexpr double kShock = 0x1p-5;
-/// What may be left of a joint hop.
-inline constexpr double kHopError = 0x1p-24;
 
 /// Rule 2: two that part by less than 2^this of their contact's distance in a tick stay together.
 inline constexpr int kTogether = -95;
@@ -67,20 +60,25 @@ inline constexpr double kCollapse = 0x1p15;
 /// neighbours are listed for.
 inline constexpr double kTouching = 0x1p-31;
 
-/// Rule 4: balls of a group are so near, as a part of their contact's distance.
+/// Rule 3: the longest step, as a part of the fall; how long a contact lasts; how near the balls
+/// of a crowd are that a step looks at together, as a part of their contact's distance.
+inline constexpr double kStep = 0x1p-5;
+inline constexpr double kShortly = 0x1p-12;
 inline constexpr double kNear = 0x1p-6;
+/// An instant with more contacts than this is one of a crowd.
+inline constexpr int kManyContacts = 16;
+
+/// Rule 4, in parts of the speed that gravity makes in a step: what is still, what a contact
+/// carries at least, and how exactly a step is solved.
+inline constexpr double kStill = 0x1p-10;
+inline constexpr double kLoaded = 0x1p-10;
+inline constexpr double kSolved = 0x1p-12;
 
 /// Whether two that are r apart are nearer than their contact's distance and this part more of it.
 template <class S>
 bool near(const Vec<S>& r, const S& reach, const S& part) {
   const S most = reach + reach * part;
   return !(r.x * r.x + r.y * r.y > most * most);
-}
-
-/// Whether v is not beyond the speed of hops.
-template <class S>
-bool slow(const Vec<S>& v, const S& hop_speed) {
-  return !(absolute(v.x) > kSlow * hop_speed || absolute(v.y) > kSlow * hop_speed);
 }
 
 /// Whether a ball at r from a fixed one lies and moves straight above it, to the last bit.

@@ -5,8 +5,8 @@ namespace carom {
 
 namespace {
 
-// Balls that lose energy under gravity crowd together: until they rest they have ever more impacts
-// in ever less time.
+// Balls that lose energy under gravity crowd together: until they rest event steps all of a pile at
+// once, again and again.
 bool will_pile_up(const Scene& scene) {
   const Effects& effects = scene.effects;
   if (!effects.gravity || !effects.collisions) return false;

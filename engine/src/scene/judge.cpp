@@ -153,10 +153,11 @@ void judge_flights(const Scene& scene, Verdict& verdict) {
       verdict.add(fmt::format("/continuation/flights/{}/left", i),
                   fmt::format("must be the number of a fixed ball, got {}", *left));
     }
-    if (continuation.flights[i].carried > 3) {
-      verdict.add(fmt::format("/continuation/flights/{}/carried", i),
-                  fmt::format("must be 0, 1 for x, 2 for y or 3 for both, got {}",
-                              continuation.flights[i].carried));
+    if (continuation.flights[i].carried > 6) {
+      verdict.add(
+          fmt::format("/continuation/flights/{}/carried", i),
+          fmt::format("must be 0, 1 for x, 2 for y, 3 for both, 4, 5 or 6 in a crowd, got {}",
+                      continuation.flights[i].carried));
     }
   }
 }

@@ -136,7 +136,10 @@ double zeno_after(const Trial& trial) {
 struct Pile {
   Outcome outcome;
   double drop;
+  double won;       ///< the largest energy gained from one look to the next
+  double restless;  ///< impacts in the last tenth of the time
 };
+constexpr int kLooks = 50;
 
 /// One run serves all measures of a method.
 const Pile& settled_pile(const Trial& trial) {
@@ -152,8 +155,19 @@ const Pile& settled_pile(const Trial& trial) {
     return sum;
   };
   const double before = height(simulation.state());
-  simulation.advance_to(trial.scene.duration);
-  Pile pile{{simulation.state(), simulation.measure()}, 0};
+  Pile pile{{}, 0, 0, 0};
+  double energy = simulation.measure().energy_final;
+  double impacts = 0;
+  for (int look = 1; look <= kLooks; ++look) {
+    simulation.advance_to(trial.scene.duration * look / kLooks);
+    const Measurements now = simulation.measure();
+    pile.won = std::max(pile.won, now.energy_final - energy);
+    energy = now.energy_final;
+    const auto sum = static_cast<double>(now.ball_ball + now.ball_wall);
+    if (10 * look <= 9 * kLooks) impacts = sum;
+    pile.restless = sum - impacts;
+  }
+  pile.outcome = {simulation.state(), simulation.measure()};
   pile.drop = before - height(pile.outcome.balls);
   return settled.emplace(method, std::move(pile)).first->second;
 }
@@ -166,6 +180,15 @@ double pile_motion(const Trial& trial) {
                each.mass * each.radius * each.radius * each.spin * each.spin / 4;
   }
   return kinetic / pile.drop;
+}
+
+double pile_gain(const Trial& trial) {
+  const Pile& pile = settled_pile(trial);
+  return pile.won / pile.drop;
+}
+
+double pile_impacts(const Trial& trial) {
+  return settled_pile(trial).restless;
 }
 
 double pile_overlap(const Trial& trial) {
@@ -196,7 +219,11 @@ std::vector<Case> loss_cases() {
         {Method::event, "time of rest, relative", 1e-12, zeno_rest_time},
         {Method::event, "off the floor, or impacts, after", 0, zeno_after}}},
       {"pile",
-       {{Method::overlap, "kinetic energy, of the drop", 1e-6, pile_motion},
+       {{Method::event, "kinetic energy, of the drop", 1e-6, pile_motion},
+        {Method::event, "overlap, in radii", 0.01, pile_overlap},
+        {Method::event, "energy won, of the drop", 1e-6, pile_gain},
+        {Method::event, "impacts after it came to rest", 0, pile_impacts},
+        {Method::overlap, "kinetic energy, of the drop", 1e-6, pile_motion},
         {Method::overlap, "overlap, in radii", 0.01, pile_overlap}}},
   };
 }

@@ -7,6 +7,7 @@
 #include "solvers/event/neighbours_body.hpp"
 #include "solvers/event/part_body.hpp"
 #include "solvers/event/tile_body.hpp"
+#include "solvers/event/tile_crowd_body.hpp"
 #include "solvers/event/tile_friction_body.hpp"
 #include "solvers/event/tile_impact_body.hpp"
 #include "solvers/event/tile_instant_body.hpp"
@@ -14,7 +15,6 @@
 #include "solvers/event/tile_part_body.hpp"
 #include "solvers/event/tile_rest_body.hpp"
 #include "solvers/event/tile_search_body.hpp"
-#include "solvers/event/tile_settling_body.hpp"
 #include "solvers/event/windows_body.hpp"
 
 /// The whole method compiled for one Physics: a source file for each.

@@ -479,7 +479,9 @@ double EventSolver<P>::energy() const {
   const Balls balls(state(), effects_);
   const auto [gx, gy] = event::gravity_of(effects_);
   const double spins = effects_.friction ? spin_energy(balls) : 0;
-  return kinetic_energy(balls) + spins +
+  double ahead = 0;
+  if constexpr (P::kRests) ahead = tile_->given_ahead(now_.ticks);
+  return kinetic_energy(balls) + spins - ahead +
          potential_energy(balls, {gx, gy}, {domain_.period[0], domain_.period[1]}, {});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "contact/event_friction.hpp"
@@ -20,7 +21,11 @@ struct Meeting {
   Index partner = kUnknown;
 };
 
-inline constexpr unsigned kAsleep = 3;
+// What carries a ball, beside the axes along which walls do.
+inline constexpr unsigned kLying = 3;    ///< in a corner, or on the very top of a fixed ball
+inline constexpr unsigned kResting = 4;  ///< in a crowd that rests
+inline constexpr unsigned kStepped = 5;  ///< in a crowd that moves
+inline constexpr unsigned kJoins = 6;    ///< in a crowd from its next step on
 
 /// Flights and impacts: pure functions of one flight or two.
 ///
@@ -74,7 +79,7 @@ class Motion {
   /// What a ball flies by.
   [[nodiscard]] decltype(auto) law_of(const Disk& disk) const {
     if constexpr (P::kRests) {
-      return law_.carried(kind(disk).carried);
+      return law_.carried(std::min(kind(disk).carried, kLying));
     } else {
       return (law_);
     }
@@ -90,19 +95,23 @@ class Motion {
   [[nodiscard]] Time wall_meets(const Disk& disk, Index wall) const;
 
   // Contacts that rest, where P::kRests: motion_rest_body.hpp.
-  /// Nothing accelerates it along these axes: 1 for x, 2 for y.
+  /// Nothing accelerates it along these axes: 1 for x, 2 for y; from kLying on at all.
   [[nodiscard]] unsigned carried(const Disk& disk) const { return kind(disk).carried; }
   void set_carried(Disk& disk, unsigned axes) const {
     disk.kind = static_cast<Index>(disk.kind % plain_kinds_ + axes * plain_kinds_);
   }
-  /// It lies on others, or in a corner: nothing accelerates it at all.
-  [[nodiscard]] bool asleep(const Disk& disk) const { return carried(disk) == kAsleep; }
+  /// It is one of a crowd.
+  [[nodiscard]] bool crowded(const Disk& disk) const { return carried(disk) >= kResting; }
+  /// It has been looked at together with those of its crowd that are near.
+  [[nodiscard]] bool stepped(const Disk& disk) const {
+    return carried(disk) == kResting || carried(disk) == kStepped;
+  }
   /// Lets walls carry it where it touches them, is pressed to them and leaves them no more.
   void lean_on_walls(Disk& disk) const requires(P::kRests);
   /// The same on the very top of a fixed ball; whether that carries it.
   bool lean_on_peg(Disk& disk, const Disk& peg) const requires(P::kRests);
-  /// The speed at which balls part that hop on each other; `reach`: of their contact.
-  [[nodiscard]] S hop_speed(const S& reach) const requires(P::kRests);
+  /// Whether a wall that carries it slows it down by friction.
+  [[nodiscard]] bool slips(const Disk& disk) const requires(P::kSpins&& P::kRests);
   /// Rule 2: whether two that touch part no more: so slowly that the run cannot tell.
   [[nodiscard]] bool stays_together(const Vec<S>& r, const Vec<S>& v, const S& reach) const
       requires(P::kRests);
@@ -112,17 +121,27 @@ class Motion {
   }
   /// Whether both have been hit within the clock's resolution, or little more.
   [[nodiscard]] bool collapses(const Disk& a, const Disk& b, At now) const requires(P::kRests);
-  /// The fastest impact of the two that counts as a hop: it depends on how shortly before both have
-  /// been hit.
-  [[nodiscard]] S fastest_hop(const Disk& a, const Disk& b, At now) const requires(P::kRests);
+  /// Rule 3: whether an impact of the two loses all, and they go on as a crowd; one of them may be
+  /// fixed. r: from a to b.
+  [[nodiscard]] bool clings(const Disk& a, const Disk& b, const Vec<S>& r, At now) const
+      requires(P::kRests);
+  /// The same for a ball of a crowd that comes to a wall at this speed.
+  [[nodiscard]] bool clings_to_wall(const Disk& disk, const S& speed, At now) const
+      requires(P::kRests);
+  /// Crowds are stepped every 2^this ticks.
+  [[nodiscard]] int step_shift() const { return step_shift_; }
+  /// What gravity makes in a step.
+  [[nodiscard]] const S& speed_of_step() const { return speed_of_step_; }
+  [[nodiscard]] const S& pull() const { return pull_; }
 
  private:
   void add_carried_kinds() requires(P::kRests);
   [[nodiscard]] S meeting_wait(const Disk& earlier, const Disk& later, const S& reach,
                                bool from_contact, At until) const requires(P::kRests);
-  /// What an impact of two is where they hop.
-  void hop(const Disk& a, const Disk& b, const Vec<S>& r, const S& fastest,
-           Velocities<S>& after) const requires(P::kRests);
+  /// Whether the step of their crowd has seen to it that they do not meet before the next one.
+  [[nodiscard]] bool stepped_together(const Disk& a, const Disk& b) const requires(P::kRests);
+  [[nodiscard]] bool just_hit(const Disk& disk, const S& reach, const S& speed, At now) const
+      requires(P::kRests);
   [[nodiscard]] Rubbing<S> rubbing(const Disk& disk) const requires P::kSpins;
   void rub(Disk& a, Disk& b, const Vec<S>& r) const requires P::kSpins;
   void rub_wall(Disk& disk, std::size_t axis, int side, const S& arrival) const requires P::kSpins;
@@ -143,6 +162,8 @@ class Motion {
   double largest_radius_ = 0;
   std::size_t plain_kinds_ = 1;  ///< without what carries them
   S pull_ = 0;                   ///< gravity's size
+  int step_shift_ = 0;
+  S speed_of_step_ = 0;
 };
 
 }  // namespace carom::event

@@ -7,6 +7,7 @@
 #include "contact/event_exit.hpp"
 #include "contact/event_impulse.hpp"
 #include "contact/event_pair_time.hpp"
+#include "contact/event_rest.hpp"
 #include "solvers/event/lanes.hpp"
 #include "solvers/event/motion.hpp"
 
@@ -78,6 +79,9 @@ template <class P>
 auto Motion<P>::pair_meets(const Disk& a, const Disk& b, bool from_contact,
                            [[maybe_unused]] At until) const -> Time {
   const S reach = kind(a).radius + kind(b).radius;
+  if constexpr (kHopping) {
+    if (stepped_together(a, b)) return P::Clock::never();
+  }
   if constexpr (P::Law::kBends) {
     if (fixed(a) || fixed(b)) {
       const Disk& ball = fixed(a) ? b : a;
@@ -141,6 +145,13 @@ Meeting<P> Motion<P>::wall_meeting(const Disk& disk, std::size_t axis, bool low,
   const Time wait = rules_.scale.ticks(std::min(wait_low, wait_high));
   if (wait == P::Clock::never()) return {};
   const auto side = static_cast<Index>(2 * axis) + (wait_high < wait_low ? 1U : 0U);
+  if constexpr (kHopping) {
+    // The step of its crowd has seen to it.
+    const Index wall = kWalls + side;
+    if (stepped(disk) && !(this->wall(disk, {disk.x, disk.y}, wall).gap > 2 * radius * kNear)) {
+      return {};
+    }
+  }
   return {disk.start + wait, kWalls + side};
 }
 
@@ -272,17 +283,13 @@ template <class P>
 double Motion<P>::strike(Disk& a, Disk& b, At now) const {
   const Kind& ka = kind(a);
   const Kind& kb = kind(b);
-  [[maybe_unused]] S fastest = -1;
-  if constexpr (kHopping) fastest = fastest_hop(a, b, now);
   if (!ka.fixed()) carry(a, now);
   if (!kb.fixed()) carry(b, now);
   const Vec<S> r = way({a.x, a.y}, {b.x, b.y});
   if constexpr (P::kSpins) rub(a, b, r);
   Velocities<S> after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass,
                                     kb.inverse_mass, S(rules_.restitution));
-  if constexpr (kHopping) {
-    if (!(fastest < 0)) hop(a, b, r, fastest, after);
-  } else if constexpr (P::kRests) {
+  if constexpr (P::kRests && !kHopping) {
     const S reach = ka.radius + kb.radius;
     if (rules_.restitution < 1 && stays_together(r, after.b - after.a, reach)) {
       after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass,

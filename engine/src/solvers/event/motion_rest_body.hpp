@@ -14,13 +14,18 @@ template <class P>
 void Motion<P>::add_carried_kinds() requires(P::kRests) {
   const Vec<S>& g = law_.pull();
   pull_ = root(S(g.x * g.x + g.y * g.y));
-  for (unsigned axes = 1; axes <= kAsleep; ++axes) {
+  for (unsigned axes = 1; axes <= kJoins; ++axes) {
     for (std::size_t k = 0; k < plain_kinds_; ++k) {
       Kind kind = rules_.kinds[k];
       kind.carried = axes;
       rules_.kinds.push_back(kind);
     }
   }
+  if (!(pull_ > 0)) return;
+  const S fall = root(S(2 * S(largest_radius_) / pull_));
+  const Time span = rules_.scale.ticks(S(kStep * fall));
+  step_shift_ = P::Clock::shift_of(std::min(span, P::Clock::era()));
+  speed_of_step_ = pull_ * rules_.scale.seconds(P::Clock::span(1, step_shift_));
 }
 
 template <class P>
@@ -58,8 +63,20 @@ bool Motion<P>::lean_on_peg(Disk& disk, const Disk& peg) const requires(P::kRest
   }
   disk.vx = 0;
   disk.vy = 0;
-  set_carried(disk, kAsleep);
+  set_carried(disk, kLying);
   return true;
+}
+
+template <class P>
+bool Motion<P>::slips(const Disk& disk) const requires(P::kSpins&& P::kRests) {
+  if (rules_.wall_friction == 0 || !(pull_ > 0)) return false;
+  const S rolling = kind(disk).radius * disk.spin;
+  const unsigned axes = carried(disk);
+  if (axes == 0 || axes > 2) return false;
+  // along the wall, seen with the wall on the ball's right
+  const Vec<S>& g = law_.pull();
+  const S along = axes == 2 ? (g.y < 0 ? disk.vx : S(-disk.vx)) : (g.x < 0 ? S(-disk.vy) : disk.vy);
+  return absolute(S(along + rolling)) > kStill * speed_of_step_;
 }
 
 template <class P>
@@ -78,37 +95,44 @@ bool Motion<P>::collapses(const Disk& a, const Disk& b, At now) const requires(P
 }
 
 template <class P>
-auto Motion<P>::hop_speed(const S& reach) const -> S requires(P::kRests) {
-  return kHop * root(S(pull_ * reach));
+bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const requires(P::kRests) {
+  const bool of_crowds = (stepped(a) || fixed(a)) && (stepped(b) || fixed(b));
+  if (!of_crowds || (a.start != b.start && !fixed(a) && !fixed(b))) return false;
+  return near(way({a.x, a.y}, {b.x, b.y}), S(kind(a).radius + kind(b).radius), S(kNear));
 }
 
 template <class P>
-auto Motion<P>::fastest_hop(const Disk& a, const Disk& b, At now) const -> S requires(P::kRests) {
-  if (!(rules_.restitution < 1)) return -1;
-  const S hop = hop_speed(kind(a).radius + kind(b).radius);
-  S age = 0;
-  if (!fixed(a)) age = rules_.scale.seconds(now - a.start);
-  if (!fixed(b)) age = larger(age, S(rules_.scale.seconds(now - b.start)));
-  const S gained = age * pull_;
-  if (gained <= kShock * hop) return never<S>();
-  return gained <= 2 * kSlow * hop ? S(kSlow * hop) : S(-1);
+bool Motion<P>::just_hit(const Disk& disk, const S& reach, const S& speed, At now) const
+    requires(P::kRests) {
+  if (fixed(disk)) return true;
+  const S age = rules_.scale.seconds(now - disk.start);
+  return age * age * pull_ <= kShortly * kShortly * reach && speed * age <= kShortly * reach;
 }
 
 template <class P>
-void Motion<P>::hop(const Disk& a, const Disk& b, const Vec<S>& r, const S& fastest,
-                    Velocities<S>& after) const requires(P::kRests) {
-  const Vec<S> v{b.vx - a.vx, b.vy - a.vy};
+bool Motion<P>::clings(const Disk& a, const Disk& b, const Vec<S>& r, At now) const
+    requires(P::kRests) {
+  if (!(rules_.restitution < 1)) return false;
+  const Vec<S> v = velocity(b, now) - velocity(a, now);
   const S distance = root(S(r.x * r.x + r.y * r.y));
   const S speed = -sharp_dot(r, v) / distance;
-  const Kind& ka = kind(a);
-  const Kind& kb = kind(b);
-  if (speed > fastest) return;
-  const S least = hop_speed(ka.radius + kb.radius);
   // What comes straight down on a fixed ball is a ball on a floor.
-  if ((ka.fixed() || kb.fixed()) && straight_up(ka.fixed() ? r : -r, v, law_.pull())) return;
-  const S share = (speed + larger(speed, least)) / (distance * (ka.inverse_mass + kb.inverse_mass));
-  after.a = less({a.vx, a.vy}, S(share * ka.inverse_mass), r);
-  after.b = less({b.vx, b.vy}, S(-share * kb.inverse_mass), r);
+  if (fixed(b) && !crowded(a) && straight_up(-r, v, law_.pull())) return false;
+  if (fixed(a) && !crowded(b) && straight_up(r, v, law_.pull())) return false;
+  const S reach = kind(a).radius + kind(b).radius;
+  if (just_hit(a, reach, speed, now) && just_hit(b, reach, speed, now)) return true;
+  const auto carried = [this](const Disk& disk) { return fixed(disk) || this->carried(disk) != 0; };
+  if ((crowded(a) && carried(b)) || (carried(a) && crowded(b))) return speed <= speed_of_step_;
+  const auto pull_on = [this](const Disk& disk) {
+    return fixed(disk) ? Vec<S>{S(0), S(0)} : law_of(disk).pull();
+  };
+  const S pressing = -sharp_dot(r, pull_on(b) - pull_on(a)) / distance;
+  return pressing > 0 && speed * pull_ <= pressing * speed_of_step_;
+}
+
+template <class P>
+bool Motion<P>::clings_to_wall(const Disk& disk, const S& speed, At now) const requires(P::kRests) {
+  return speed <= speed_of_step_ || just_hit(disk, S(2 * kind(disk).radius), speed, now);
 }
 
 // One of the two may be carried: then they accelerate as seen from each other.

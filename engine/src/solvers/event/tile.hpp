@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/event_crowd.hpp"
 #include "contact/event_joint_impact.hpp"
 #include "solvers/event/agenda.hpp"
 #include "solvers/event/disk.hpp"
@@ -26,8 +27,8 @@ struct Counts {
   std::uint64_t vain = 0;              ///< of them, because its partner had met another
   std::uint64_t joint_impacts = 0;     ///< of several contacts at one instant
   std::uint64_t resting_contacts = 0;  ///< came to rest
-  std::uint64_t wakes = 0;             ///< groups at rest that were hit
-  std::uint64_t settlings = 0;         ///< groups asked whether forces can carry them
+  std::uint64_t wakes = 0;             ///< crowds at rest that were hit
+  std::uint64_t steps = 0;             ///< of crowds
   double max_overlap = 0;              ///< deepest overlap at an impact / smaller radius
 };
 
@@ -76,13 +77,11 @@ class Tile {
   [[nodiscard]] const Counts& counts() const { return counts_; }
   [[nodiscard]] std::size_t bytes() const;
 
-  // Where P::kRests.
-  /// The group at rest that this ball is part of flies on from `now`.
-  void wake(Index i, At now) requires(P::kRests);
-  /// What rests on this ball, or on what it rests on, flies on from `now`.
+  /// Where P::kRests: who rests on this ball, or carries it, moves again.
   void wake_around(Index i, At now) requires(P::kRests);
-  /// Contacts that rest now.
-  [[nodiscard]] std::uint64_t resting_now() const requires(P::kRests);
+  /// The energy that gravity has given to crowds ahead of what they will have fallen at their next
+  /// step.
+  [[nodiscard]] double given_ahead(At now) const requires(P::kRests);
 
   // A tile of a part of the plane keeps a journal, and its balls come and go: tile_part_body.hpp.
 
@@ -153,28 +152,35 @@ class Tile {
   // Contacts that rest: tile_rest_body.hpp.
   void start_resting(At now) requires(P::kRests);
   void lean(Index i) requires(P::kRests);
-  void look_again_at_woken(At now) requires(P::kRests);
-  void schedule_settling(At now) requires(P::kRests);
-  [[nodiscard]] bool hop_jointly(Instant& instant, At now) const requires(P::kRests);
-  // Groups that come to rest: tile_settling_body.hpp.
-  struct Crowd;
-  struct Group;
-  void settle_groups(At now) requires(P::kRests);
-  [[nodiscard]] bool gather_group(const Crowd& crowd, Index first, std::vector<char>& seen,
-                                  std::vector<Index>& members) const requires(P::kRests);
-  [[nodiscard]] Group describe(const Crowd& crowd, const std::vector<Index>& members) const
+  void schedule_step(At now) requires(P::kRests);
+  void step_if_it_slips(Disk& disk) requires(P::kRests);
+  [[nodiscard]] bool is_of_crowd(const Instant& instant, At now) const requires(P::kRests);
+  // Crowds: tile_crowd_body.hpp.
+  struct Gathering;
+  [[nodiscard]] bool hit_crowd(Index i, Index partner, At now) requires(P::kRests);
+  void hit_crowd(Gathering& crowd, At now) requires(P::kRests);
+  void step_crowds(At now) requires(P::kRests);
+  void step_crowd(Gathering& crowd, At now) requires(P::kRests);
+  struct CrowdEnergy {
+    S stepped;
+    S ahead;
+    S others;
+    [[nodiscard]] S all() const { return stepped - ahead + others; }
+  };
+  [[nodiscard]] CrowdEnergy energy_of(const Gathering& crowd, const S& span) const
       requires(P::kRests);
-  void settle_group(const Crowd& crowd, const std::vector<Index>& members,
-                    At now) requires(P::kRests);
+  void slow_down(Gathering& crowd, const S& had, const S& span) const requires(P::kRests);
+  void join(Gathering& crowd, Index i, At now) requires(P::kRests);
+  void gather(Gathering& crowd, At now) requires(P::kRests);
+  void fly_on(Gathering& crowd, At now) requires(P::kRests);
 
   Motion<P> motion_;
   HugeVector<Disk> disks_;
   Neighbours<P> neighbours_{motion_};
   Agenda<typename P::Clock> agenda_;
   Counts counts_;
-  Time next_settling_ = P::Clock::never();
-  int settling_shift_ = 0;    ///< groups are looked at every 2^this ticks
-  std::vector<Index> woken_;  ///< and not looked at since
+  Time next_step_ = P::Clock::never();  ///< of crowds
+  std::vector<int> number_;             ///< in the crowd that is looked at; -1
   Journal<P>* journal_ = nullptr;
   double overlap_ = 0;       ///< at the last impact of two
   Time reached_ = 0;         ///< everything up to here has happened

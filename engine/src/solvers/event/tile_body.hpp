@@ -87,14 +87,14 @@ void Tile<P>::advance_to(At until) {
   };
   if constexpr (P::kRests) {
     for (;;) {
-      const Time at = std::min(next_settling_, Time(until));
+      const Time at = std::min(next_step_, Time(until));
       if (const Entry* next = agenda_.first(at, wanted, prepare)) {
         const Entry entry = *next;
         agenda_.drop_first();
         if (wanted(entry)) next_event(entry.ball, entry.time);
-      } else if (next_settling_ <= until) {
-        next_settling_ = P::Clock::never();
-        settle_groups(at);
+      } else if (next_step_ <= until) {
+        next_step_ = P::Clock::never();
+        step_crowds(at);
       } else {
         return;
       }
@@ -146,7 +146,7 @@ void Tile<P>::rebase(At by) {
     if (disk.meets != P::Clock::never()) disk.meets -= by;
     if (disk.leaves != P::Clock::never()) disk.leaves -= by;
   }
-  if (next_settling_ != P::Clock::never()) next_settling_ -= by;
+  if (next_step_ != P::Clock::never()) next_step_ -= by;
   reached_ -= by;
   instant_ = instant_ >= by ? Time(instant_ - by) : Time(-1);
   std::set<Time> ties;

@@ -64,7 +64,6 @@ void Tile<P>::meet(Index i, At now) {
   }
   if (partner == kCarry) {
     if (!left_.empty()) left_[i] = kUnknown;
-    if constexpr (P::kRests) schedule_settling(now);
     const Disk flight = disks_[i];
     motion_.carry(disks_[i], now);
     if (journal_ != nullptr) journal_->note(i, flight, disks_[i], now, {});
@@ -74,10 +73,8 @@ void Tile<P>::meet(Index i, At now) {
   watch(now);
   const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
   if (ball) forget(partner);
-  if constexpr (P::kRests) {
-    schedule_settling(now);
-    wake(i, now);
-    if (ball) wake(partner, now);
+  if constexpr (Motion<P>::kHopping) {
+    if (hit_crowd(i, partner, now)) return;
   }
   bool jointly = tied(now);
   if constexpr (P::kRests && !P::Law::kBends) {
@@ -95,7 +92,6 @@ void Tile<P>::meet(Index i, At now) {
   meet_alone(i, partner, now);
   if (ball) look_again(partner, now);
   look_again(i, now);
-  if constexpr (P::kRests) look_again_at_woken(now);
   if (disks_[i].meets != now && !(ball && disks_[partner].meets == now)) {
     if (journal_ != nullptr) note_alone(i, before, partner, partner_before, now);
     return;

@@ -89,7 +89,6 @@ void Tile<P>::add_contacts(Instant& instant, std::size_t member, At now) {
         known ? instant.places[other] : motion_.wrapped(motion_.place(disks_[j], now));
     const Vec<S> r = motion_.way(instant.places[member], there);
     if (!touch(i, j, now, r)) return;
-    if constexpr (P::kRests) wake(j, now);
     if (!known) add_member(instant, j, now);
     // Each pair once: with the later of its balls, or the one that is not fixed.
     if (other > member && !motion_.fixed(disks_[j])) return;
@@ -132,12 +131,48 @@ void Tile<P>::note_instant(const Instant& instant, At now, Index ball_ball, Inde
   }
 }
 
+// Whether one of a crowd touches, two cling to each other, or they are too many.
+template <class P>
+bool Tile<P>::is_of_crowd(const Instant& instant, At now) const requires(P::kRests) {
+  if (!(motion_.rules().restitution < 1)) return false;
+  if (instant.contacts.size() > kManyContacts) return true;
+  for (const Index m : instant.members) {
+    if (motion_.crowded(disks_[m])) return true;
+  }
+  return std::any_of(instant.contacts.begin(), instant.contacts.end(),
+                     [&](const Contact<S>& contact) {
+                       if (contact.b == kWall) return false;
+                       const auto a = static_cast<std::size_t>(contact.a);
+                       const auto b = static_cast<std::size_t>(contact.b);
+                       const Vec<S> v = instant.bodies[b].velocity - instant.bodies[a].velocity;
+                       return !(sharp_dot(contact.r, v) > 0) &&
+                              motion_.clings(disks_[instant.members[a]], disks_[instant.members[b]],
+                                             contact.r, now);
+                     });
+}
+
 template <class P>
 void Tile<P>::meet_jointly(Index i, Index partner, At now) {
   Instant instant;
   add_member(instant, i, now);
   if (partner < kFirstMark) add_member(instant, partner, now);
-  for (std::size_t k = 0; k < instant.members.size(); ++k) add_contacts(instant, k, now);
+  for (std::size_t k = 0; k < instant.members.size(); ++k) {
+    // A crowd is resolved as a whole.
+    if constexpr (Motion<P>::kHopping) {
+      if (motion_.crowded(disks_[instant.members[k]])) continue;
+    }
+    add_contacts(instant, k, now);
+  }
+  if constexpr (Motion<P>::kHopping) {
+    if (is_of_crowd(instant, now)) {
+      Gathering crowd;
+      for (const Index m : instant.members) {
+        if (!motion_.fixed(disks_[m])) join(crowd, m, now);
+      }
+      hit_crowd(crowd, now);
+      return;
+    }
+  }
 
   // Nothing else touches: it is an impact like others, however it came to be looked at.
   if (instant.contacts.size() == 1 &&
@@ -155,14 +190,7 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
 
   const std::vector<Body<S>> before = instant.bodies;
   ++counts_.joint_impacts;
-  JointReport report;
-  bool hopped = false;
-  if constexpr (P::kRests && P::Law::kBends) hopped = hop_jointly(instant, now);
-  if (hopped) {
-    report.impacts = static_cast<int>(instant.contacts.size());
-  } else {
-    report = resolve(instant);
-  }
+  const JointReport report = resolve(instant);
   std::size_t walls = 0;
   for (const typename Instant::Stop& stop : instant.stops) {
     const bool turned = !(before[stop.member].velocity == instant.bodies[stop.member].velocity);
@@ -224,7 +252,6 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
         }
       }
     }
-    look_again_at_woken(now);
   }
   for (const Index m : changed) look_again(m, now);
 }
