@@ -12,6 +12,7 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "carom/scene_file.hpp"
@@ -74,8 +75,8 @@ const std::vector<Addition> kAdditions{
 
 class Line {
  public:
-  Line(const std::string& name, const Scene& scene)
-      : name_(name),
+  Line(std::string name, const Scene& scene)
+      : name_(std::move(name)),
         simulation_(scene),
         event_(scene.solver.method == carom::Method::event),
         ball_steps_(static_cast<double>(simulation_.balls()) / scene.solver.step) {

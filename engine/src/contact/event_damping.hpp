@@ -26,9 +26,9 @@ inline constexpr double kDampingEnd = 512;
 
 /// 1 / (n + 2)!, the coefficients of `fall` in -x.
 struct DampingCoefficients {
-  double of[kDampingTerms];
+  double of[kDampingTerms] = {};
 
-  constexpr DampingCoefficients() : of() {
+  constexpr DampingCoefficients() {
     double factorial = 2;
     for (int n = 0; n < kDampingTerms; ++n) {
       of[n] = 1 / factorial;

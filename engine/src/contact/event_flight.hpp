@@ -85,7 +85,8 @@ struct BallisticLaw {
 
 /// The flight as it is `elapsed` after its start; after 0 it is itself to the last bit.
 template <class S, class Law>
-Flight<S> after(const Law& law, const Flight<S>& f, const S& elapsed) {
+[[gnu::always_inline]] inline Flight<S> after(const Law& law, const Flight<S>& f,
+                                              const S& elapsed) {
   return {f.position + law.displacement(f, elapsed), law.velocity(f, elapsed)};
 }
 

@@ -25,17 +25,16 @@ template <class Law>
   if constexpr (!Law::kBends) {
     return ahead[0] > 0 && ahead[1] > 0 ? wait : 0;
   } else {
-    const TwoLanes zero{};
     const TwoLanes back = skin + forward;
-    const TwoLanes push = with_signs(TwoLanes{law.push(0, v[0]), law.push(1, v[1])}, sign);
-    const double half = wait / 2;
+    const TwoLanes push{law.push(0, v[0]), law.push(1, v[1])};
     const double sooner = wait * kSooner;
-    const WholeTwoLanes inside = ((speed + (push > zero ? push : zero) * half) * sooner <= ahead) &
-                                 (-push * (half * wait) <= back);
+    const TwoLanes bend = with_signs(push, signs(push)) * (wait / 2 * wait);
+    const WholeTwoLanes inside = (speed * sooner + bend <= ahead) & (bend <= back);
     if ((inside[0] & inside[1]) != 0) return sooner;
+    const TwoLanes along = with_signs(push, sign);
     const double fading = law.fading();
-    return std::min(exit_bound<double>(ahead[0], back[0], speed[0], push[0], fading),
-                    exit_bound<double>(ahead[1], back[1], speed[1], push[1], fading));
+    return std::min(exit_bound<double>(ahead[0], back[0], speed[0], along[0], fading),
+                    exit_bound<double>(ahead[1], back[1], speed[1], along[1], fading));
   }
 }
 

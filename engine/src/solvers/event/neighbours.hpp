@@ -102,6 +102,7 @@ class Neighbours {
   std::array<double, 2> per_length_{1, 1};
   std::vector<Index> found_;
   std::vector<Index> fresh_;
+  std::vector<Index> gone_;
 };
 
 }  // namespace carom::event

@@ -24,7 +24,7 @@ void Neighbours<P>::choose_skin(const Disks& disks, double area) {
   const auto n = static_cast<double>(std::max<std::size_t>(disks.size(), 1));
   const double diameter = diameters / n;
   const double spacing = std::sqrt(area / n);
-  skin_ = 0.15 * diameter + 0.75 * std::max(spacing - diameter, 0.0);
+  skin_ = 0.25 * diameter + 0.7 * std::max(spacing - diameter, 0.0);
   for (const double period : periods_) skin_ = std::min(skin_, period / 8);
 }
 
@@ -202,19 +202,29 @@ void Neighbours<P>::list(const Disks& disks, Index i) {
     stamp_ = 0;
   }
   stamp_ += 2;
-  lists_.each(i, [&](Index j) { seen_[j] = stamp_; });
-  fresh_.clear();
+  // Who is new and who is gone cannot be foreseen either.
+  gone_.clear();
+  lists_.each(i, [&](Index j) {
+    seen_[j] = stamp_;
+    gone_.push_back(j);
+  });
+  fresh_.resize(found);
+  std::uint32_t fresh = 0;
   for (std::uint32_t n = 0; n < found; ++n) {
     const Index j = found_[n];
-    if (seen_[j] != stamp_) {
-      lists_.add(j, i);
-      fresh_.push_back(j);
-    }
+    fresh_[fresh] = j;
+    fresh += seen_[j] == stamp_ ? 0U : 1U;
     seen_[j] = stamp_ + 1;
   }
-  lists_.each(i, [&](Index j) {
-    if (seen_[j] == stamp_) lists_.remove(j, i);
-  });
+  fresh_.resize(fresh);
+  std::uint32_t gone = 0;
+  for (const Index j : gone_) {
+    gone_[gone] = j;
+    gone += seen_[j] == stamp_ ? 1U : 0U;
+  }
+  gone_.resize(gone);
+  for (const Index j : fresh_) lists_.add(j, i);
+  for (const Index j : gone_) lists_.remove(j, i);
   lists_.assign(i, found_.data(), found);
 }
 

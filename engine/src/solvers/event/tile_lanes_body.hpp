@@ -19,6 +19,7 @@ void Tile<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, A
   const Lanes longest = all(static_cast<double>(kLongestFlight));
   const double tick = motion_.rules().scale.tick();
   const double per_second = motion_.rules().scale.per_second();
+  const bool wraps = motion_.room().periodic(0) || motion_.room().periodic(1);
   const Lanes period_x = all(motion_.periods()[0]);
   const Lanes period_y = all(motion_.periods()[1]);
   const Lanes half_x = period_x / 2;
@@ -45,8 +46,10 @@ void Tile<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, A
     const WholeLanes later = start > my_start ? start : my_start;
     const Lanes since = __builtin_convertvector(my_start - start, Lanes) * tick;
     RelativeLanes r = relative(law, {x, y, vx, vy, my_place, my_velocity, since});
-    r.dx = nearest(r.dx, period_x, half_x);
-    r.dy = nearest(r.dy, period_y, half_y);
+    if (wraps) {
+      r.dx = nearest(r.dx, period_x, half_x);
+      r.dy = nearest(r.dy, period_y, half_y);
+    }
     Lanes reach = all(2 * my_radius);
     if (!motion_.one_kind()) {
       reach = my_radius +
