@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <variant>
 
 namespace carom::scene {
 
@@ -19,11 +20,18 @@ bool flies_in_closed_form(const Scene& scene) {
   return !scene.effects.attraction;
 }
 
-bool lossy(const Scene& scene) {
-  if (!flies_in_closed_form(scene)) return false;
-  const Effects& effects = scene.effects;
+bool lossy(const Effects& effects) {
   return (effects.walls && effects.walls->restitution < 1) ||
          (effects.collisions && effects.collisions->restitution < 1);
+}
+
+// At the start, or later by its script.
+bool lossy(const Scene& scene) {
+  return lossy(scene.effects) ||
+         std::any_of(scene.script.begin(), scene.script.end(), [](const ScriptLine& line) {
+           const auto* set = std::get_if<command::SetEffects>(&line.command);
+           return set != nullptr && lossy(set->effects);
+         });
 }
 
 // Round a shorter one two balls could touch on both sides at once.
@@ -49,10 +57,10 @@ constexpr std::array kUnavailable{
     Unavailable{"/solver/method", kEvent,
                 [](const Scene& s) {
                   // A collapse without gravity is rare enough to be told when it comes.
-                  const bool wide = s.solver.digits > 16 && s.effects.gravity;
-                  return lossy(s) && (s.effects.drag || wide);
+                  return flies_in_closed_form(s) && s.effects.gravity && lossy(s) &&
+                         (s.effects.drag || s.solver.digits > 16);
                 },
-                "\"event\" with drag, or with gravity in more than 16 digits, cannot take a "
+                "\"event\" under gravity with drag, or in more than 16 digits, cannot take a "
                 "restitution below 1 in this version, use \"overlap\""},
     Unavailable{"/solver/method", kEvent, short_periodic_axis,
                 "\"event\" needs periodic axes longer than four radii of the largest ball, use "
