@@ -122,9 +122,9 @@ std::size_t IntegratedSolver::begin_piece(double length) {
   start_velocity_ = state_.balls.velocity;
   for (std::size_t s = 0; s <= Splitting::kStages; ++s) {
     Stage& stage = stages_[s];
-    stage.kick = Splitting::pull[s] * length;
+    stage.kick = Splitting::kPull[s] * length;
     if (s == Splitting::kStages) break;
-    stage.step = Splitting::flight[s] * length;
+    stage.step = Splitting::kFlight[s] * length;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const double along = gravity_[Balls::index(axis)];
       stage.glide[axis] = Glide{stage.step};

@@ -20,9 +20,9 @@ struct Splitting {
   static constexpr double kPart = 0.41449077179437573714;  // 1 / (4 - 4^(1/3))
   static constexpr double kMiddle = 1 - 4 * kPart;         // backwards
 
-  static constexpr std::array<double, kStages + 1> pull{
+  static constexpr std::array<double, kStages + 1> kPull{
       kPart / 2, kPart, (kPart + kMiddle) / 2, (kPart + kMiddle) / 2, kPart, kPart / 2};
-  static constexpr std::array<double, kStages> flight{kPart, kPart, kMiddle, kPart, kPart};
+  static constexpr std::array<double, kStages> kFlight{kPart, kPart, kMiddle, kPart, kPart};
 };
 
 }  // namespace carom
