@@ -275,7 +275,8 @@ std::vector<Ball> columns(std::size_t count, std::size_t wide, double width) {
   std::vector<Ball> balls;
   for (std::size_t k = 0; k < count; ++k) {
     const double x = width * (static_cast<double>(k % wide) + 0.5) / static_cast<double>(wide);
-    const double y = 0.6 + 1.1 * static_cast<double>(k / wide);
+    const std::size_t row = k / wide;
+    const double y = 0.6 + 1.1 * static_cast<double>(row);
     balls.push_back(ball(x + jitter(), y));
     balls.back().position.y() += jitter();
   }

@@ -133,7 +133,7 @@ void Crowd::scale() {
     const double own = response(k, in_a + in_b);
     if (own > 0) scale_[k] = 1 / std::sqrt(own / most);
     const double all = response(k, in_a * at_body[index(a)] + in_b * at_body[index(b)]);
-    const auto edges = static_cast<double>(edges_ / size_);
+    const double edges = edges_ > size_ ? 2 : 1;
     steepest = std::max(steepest, edges * all * (scale_[k] * scale_[k]) + give_);
   }
   step_ = 1 / steepest;
