@@ -40,7 +40,9 @@ Scene any_scene() {
   const bool lossless =
       scene.effects.collisions->restitution == 1 && scene.effects.walls->restitution == 1;
   if (*rc::gen::arbitrary<bool>()) scene.effects.gravity = Gravity{{number(-1, 1), number(-9, 9)}};
-  if (lossless && *rc::gen::arbitrary<bool>()) scene.effects.drag = Drag{number(0.01, 1)};
+  if ((lossless || !scene.effects.gravity) && *rc::gen::arbitrary<bool>()) {
+    scene.effects.drag = Drag{number(0.01, 1)};
+  }
   const bool rubs = *rc::gen::arbitrary<bool>();
   if (rubs) scene.effects.friction = Friction{number(0, 0.5), number(0, 0.5)};
   for (int row = 0; row < rows; ++row) {

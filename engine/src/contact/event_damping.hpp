@@ -38,6 +38,10 @@ struct DampingCoefficients {
 };
 inline constexpr DampingCoefficients kDampingCoefficients;
 
+// Always inlined, so that how vectors would be passed on does not matter.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 /// The series of `fall`, for a double or several side by side, with the same bits; `all` makes one
 /// of a double, `fused` is a b + c rounded once.  Its terms are paired (Estrin's scheme), so that
 /// one need not wait for the other.
@@ -45,16 +49,20 @@ template <class Real, class All, class Fused>
 [[gnu::always_inline]] inline Real damping_series(const Real& x, const All& all,
                                                   const Fused& fused) {
   static_assert(kDampingTerms == 15);
-  const auto c = [&all](int n) { return all(kDampingCoefficients.of[n]); };
+  const auto c = [&all](int n) __attribute__((always_inline)) {
+    return all(kDampingCoefficients.of[n]);
+  };
   const Real y = -x;
   const Real y2 = y * y;
   const Real y4 = y2 * y2;
-  const auto four = [&](int n) {
+  const auto four = [&](int n) __attribute__((always_inline)) {
     return fused(y2, fused(y, c(n + 3), c(n + 2)), fused(y, c(n + 1), c(n)));
   };
   const Real last = fused(y2, c(14), fused(y, c(13), c(12)));
   return fused(Real(y4 * y4), fused(y4, last, four(8)), fused(y4, four(4), four(0)));
 }
+
+#pragma GCC diagnostic pop
 
 /// Error: about 4 u of each of the three.  REQUIRES: x >= 0.
 template <class S>

@@ -70,7 +70,8 @@ struct DampingLanes {
 /// damping() of four times.
 [[gnu::always_inline]] inline DampingLanes damping(Lanes x) {
   Lanes fall = damping_series(
-      x, [](double a) { return all(a); }, [](Lanes a, Lanes b, Lanes c) { return fused(a, b, c); });
+      x, [](double a) __attribute__((always_inline)) { return all(a); },
+      [](Lanes a, Lanes b, Lanes c) __attribute__((always_inline)) { return fused(a, b, c); });
   Lanes way = fused(-x, fall, all(1.0));
   Lanes remaining = fused(-x, way, all(1.0));
   const WholeLanes far = x >= all(kDampingSeries);
