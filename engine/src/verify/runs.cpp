@@ -89,7 +89,7 @@ double momentum_error(const Scene& scene, const Outcome& outcome) {
 }
 
 double energy_error(const Measurements& measured) {
-  return std::abs(measured.energy_final - measured.energy_initial) / measured.energy_initial;
+  return std::abs(measured.relative_energy_error());
 }
 
 double way_back(const Scene& scene) {
