@@ -249,6 +249,19 @@ void Crowd::solve(double goal) {
     lanes(&slope_[k]) += lanes(&parting_[k]);
     lanes(&way_[k]) = free(k);
   }
+  // The step along the way that descends farthest, and how the slope bends on it.
+  const auto look_along = [&]() -> std::array<double, 2> {
+    times(way_.data(), change_.data());
+    const auto [fall, curvature] = sums(edges_, [&](std::size_t k) -> Two {
+      const Lanes& way = lanes(&way_[k]);
+      return {lanes(&slope_[k]) * way, way * lanes(&change_[k])};
+    });
+    return {fall / curvature, curvature};
+  };
+  const auto descend = [this](double length, std::size_t k) {
+    lanes(&impulses_[k]) -= length * lanes(&way_[k]);
+    lanes(&slope_[k]) -= length * lanes(&change_[k]);
+  };
   for (int round = 0; round < kMostDescents; ++round) {
     Lanes remains{};
     for (std::size_t k = 0; k < edges_; k += kLanes) {
@@ -263,25 +276,14 @@ void Crowd::solve(double goal) {
     });
     if (off > along) {
       for (std::size_t k = 0; k < edges_; k += kLanes) lanes(&way_[k]) = onto(k);
-      times(way_.data(), change_.data());
-      const auto [fall, curvature] = sums(edges_, [&](std::size_t k) -> Two {
-        const Lanes& way = lanes(&way_[k]);
-        return {lanes(&slope_[k]) * way, way * lanes(&change_[k])};
-      });
-      const double length = fall / curvature;
+      const double length = look_along()[0];
       for (std::size_t k = 0; k < edges_; k += kLanes) {
-        lanes(&impulses_[k]) -= length * lanes(&way_[k]);
-        lanes(&slope_[k]) -= length * lanes(&change_[k]);
+        descend(length, k);
         lanes(&way_[k]) = free(k);
       }
       continue;
     }
-    times(way_.data(), change_.data());
-    const auto [fall, curvature] = sums(edges_, [&](std::size_t k) -> Two {
-      const Lanes& way = lanes(&way_[k]);
-      return {lanes(&slope_[k]) * way, way * lanes(&change_[k])};
-    });
-    const double length = fall / curvature;
+    const auto [length, curvature] = look_along();
     constexpr double kFar = std::numeric_limits<double>::infinity();
     Lanes nearest = Lanes{} + kFar;
     for (std::size_t k = 0; k < edges_; k += kLanes) {
@@ -294,10 +296,7 @@ void Crowd::solve(double goal) {
       expand(room);
       continue;
     }
-    for (std::size_t k = 0; k < edges_; k += kLanes) {
-      lanes(&impulses_[k]) -= length * lanes(&way_[k]);
-      lanes(&slope_[k]) -= length * lanes(&change_[k]);
-    }
+    for (std::size_t k = 0; k < edges_; k += kLanes) descend(length, k);
     const auto turned = sums(edges_, [&](std::size_t k) -> Two {
       return {free(k) * lanes(&change_[k]), Lanes{}};
     });
