@@ -36,15 +36,16 @@ constexpr std::size_t kBalls = 4;
 
 class Cost : public testing::Test {
  protected:
-  support::Outcome carom(std::vector<std::string> words, const Names& effects) {
+  support::Outcome carom(std::vector<std::string> words, const Names& effects,
+                         const std::string& method = "overlap") {
     std::string list;
     for (const std::string& name : effects) {
       list += (list.empty() ? "" : ", ") + kWritten.at(name);
     }
     support::write_file(folder_ / "scene.json",
-                        R"({"box": {"width": 8, "height": 8}, "solver": {"method": "overlap"},
-                            "effects": {)" +
-                            list + R"(}, "balls": [{"position": [1, 1], "velocity": [1, 2]},
+                        R"({"box": {"width": 8, "height": 8}, "solver": {"method": ")" + method +
+                            R"("}, "effects": {)" + list +
+                            R"(}, "balls": [{"position": [1, 1], "velocity": [1, 2]},
                             {"position": [3, 5]}, {"position": [6, 2]}, {"position": [6, 6]}]})");
     words.insert(words.begin(), CAROM_PROGRAM);
     return support::run(words, {folder_.path(), ""});
@@ -63,9 +64,10 @@ class Cost : public testing::Test {
     return bytes;
   }
 
-  json report(const Names& effects) {
+  json report(const Names& effects, const std::string& method = "overlap",
+              const std::string& time = "0.1") {
     const auto outcome =
-        carom({"run", "scene.json", "--time", "0.1", "--quiet", "--report", "-"}, effects);
+        carom({"run", "scene.json", "--time", time, "--quiet", "--report", "-"}, effects, method);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return json::parse(outcome.out);
   }
@@ -110,18 +112,40 @@ TEST_F(Cost, OfThreadsIsThatOfTheEffectsThatAreNamed) {
 }
 
 TEST_F(Cost, IsReportedForTheEffectsThatAreNamed) {
-  const auto reported = [&](const Names& effects) {
-    Names names;
-    const json told = report(effects);
-    for (const auto& [name, cost] : told["effects"].items()) {
-      EXPECT_GE(cost["seconds"].get<double>(), 0);
-      names.insert(name);
+  for (const std::string method : {"overlap", "event"}) {
+    const auto reported = [&](const Names& effects) {
+      Names names;
+      const json told = report(effects, method);
+      EXPECT_EQ(told["method"], method);
+      for (const auto& [name, cost] : told["effects"].items()) {
+        EXPECT_GE(cost["seconds"].get<double>(), 0);
+        names.insert(name);
+      }
+      return names;
+    };
+    EXPECT_EQ(reported({}), Names{}) << method;
+    for (const std::string& name : every_effect()) {
+      EXPECT_EQ(reported({name}), Names{name}) << method;
     }
-    return names;
-  };
-  EXPECT_EQ(reported({}), Names{});
-  for (const std::string& name : every_effect()) EXPECT_EQ(reported({name}), Names{name});
-  EXPECT_EQ(reported(every_effect()), every_effect());
+    EXPECT_EQ(reported(every_effect()), every_effect()) << method;
+  }
+}
+
+// In closed form only events cost anything, and the sample begins with the first.
+TEST_F(Cost, OfExactEventsIsSharedAmongTheEffectsThatDoThem) {
+  const Names some{"walls", "collisions", "gravity", "drag", "friction"};
+  const json told = report(some, "event", "20");
+  EXPECT_GT(told["events"]["ball_ball"], 0);
+  double sum = 0;
+  for (const std::string& name : some) {
+    const double seconds = told["effects"][name]["seconds"];
+    EXPECT_GT(seconds, 0) << name;
+    sum += seconds;
+  }
+  EXPECT_LE(sum, told["wall_seconds"].get<double>());
+  for (const auto& [name, cost] : report({"walls"}, "event", "20")["effects"].items()) {
+    EXPECT_GT(cost["seconds"], 0) << name;
+  }
 }
 
 TEST_F(Cost, IsTold) {

@@ -126,6 +126,10 @@ class EffectSeconds {
     for (std::size_t i = 0; i < kEffectCount; ++i) seconds_[i] += other.seconds_[i];
     return *this;
   }
+  EffectSeconds& operator*=(double factor) {
+    for (double& seconds : seconds_) seconds *= factor;
+    return *this;
+  }
 
  private:
   std::array<double, kEffectCount> seconds_{};

@@ -392,9 +392,12 @@ void OverlapSolver::count(Measurements& measurements) const {
     measurements.ball_wall += desk.impacts.ball_wall;
     measurements.max_overlap = std::max(measurements.max_overlap, desk.deepest);
     seconds += desk.seconds;
+    // Timed as a part of the impacts.
+    seconds.of<Collisions>() -= desk.impacts.friction_seconds;
     seconds.of<Friction>() += desk.impacts.friction_seconds;
   }
-  add_sampled_seconds(effects_, seconds, taken_, measurements);
+  seconds *= scale_of_samples(taken_);
+  add_seconds(effects_, seconds, measurements);
 }
 
 void OverlapSolver::save(Scene& scene) const {

@@ -15,15 +15,19 @@ inline bool is_sampled(std::uint64_t step) {
   return step % kSampling == 0;
 }
 
-/// What the sampled ones of `steps` steps took, scaled to all, of the effects that are named.
-inline void add_sampled_seconds(const Effects& effects, const EffectSeconds& seconds,
-                                std::uint64_t steps, Measurements& measurements) {
+/// By what to multiply the seconds of the sampled ones of `steps` steps to have those of all.
+inline double scale_of_samples(std::uint64_t steps) {
   const std::uint64_t sampled = (steps + kSampling - 1) / kSampling;
-  const double scale = sampled == 0 ? 0 : static_cast<double>(steps) / static_cast<double>(sampled);
+  return sampled == 0 ? 0 : static_cast<double>(steps) / static_cast<double>(sampled);
+}
+
+/// Notes the seconds of the effects that are named.
+inline void add_seconds(const Effects& effects, const EffectSeconds& seconds,
+                        Measurements& measurements) {
   for_each_effect([&](const auto& entry) {
     using Effect = typename std::decay_t<decltype(entry)>::Type;
     if (!(effects.*entry.slot)) return;
-    measurements.effects.emplace_back(entry.name, seconds.of<Effect>() * scale);
+    measurements.effects.emplace_back(entry.name, seconds.of<Effect>());
   });
 }
 

@@ -7,6 +7,7 @@
 #include "solvers/event/neighbours_body.hpp"
 #include "solvers/event/part_body.hpp"
 #include "solvers/event/tile_body.hpp"
+#include "solvers/event/tile_cost_body.hpp"
 #include "solvers/event/tile_crowd_body.hpp"
 #include "solvers/event/tile_friction_body.hpp"
 #include "solvers/event/tile_impact_body.hpp"

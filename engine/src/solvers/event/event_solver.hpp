@@ -73,6 +73,7 @@ class EventSolver final : public Solver {
   [[nodiscard]] const Disk& flight(std::size_t ball) const;
   [[nodiscard]] const event::Motion<P>& motion() const;
   [[nodiscard]] const event::Counts& counts() const;
+  [[nodiscard]] event::Costs costs() const;
   void advance();
   void land();
   void start();
@@ -95,6 +96,7 @@ class EventSolver final : public Solver {
   std::unique_ptr<event::Windows<P>> windows_;  // or those of the parts
   std::uint64_t again_ = 0;                     // solved again by windows that are gone
   event::Counts before_;                        // counted in tiles that are gone
+  event::Costs costs_before_;
   Moment now_;
   Moment target_;
 };

@@ -13,6 +13,7 @@
 #include "carom/scene_file.hpp"
 #include "solvers/event/event_solver.hpp"
 #include "solvers/event/saved_flight.hpp"
+#include "solvers/sampling.hpp"
 #include "state/balls.hpp"
 #include "state/totals.hpp"
 
@@ -286,6 +287,14 @@ const event::Counts& EventSolver<P>::counts() const {
   return tile_->counts();
 }
 
+template <class P>
+event::Costs EventSolver<P>::costs() const {
+  if constexpr (kShares) {
+    if (windows_) return windows_->costs();
+  }
+  return tile_->costs();
+}
+
 // Takes the flights out of the tile, into the order of the balls.
 template <class P>
 void EventSolver<P>::land() {
@@ -306,6 +315,7 @@ void EventSolver<P>::land() {
   before_.joint_impacts += counts().joint_impacts;
   before_.resting_contacts += counts().resting_contacts;
   before_.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
+  costs_before_ += costs();
   if constexpr (kShares) {
     if (windows_) again_ += windows_->solved_again();
   }
@@ -502,6 +512,17 @@ void EventSolver<P>::count(Measurements& measurements) const {
   if constexpr (kShares) {
     if (windows_) measurements.islands_again += windows_->solved_again();
   }
+  event::Costs costs = costs_before_;
+  costs += this->costs();
+  EffectSeconds seconds;
+  seconds.of<Collisions>() = costs.collisions;
+  seconds.of<Walls>() = costs.walls;
+  seconds.of<Friction>() = costs.friction;
+  // Where both bend the flights it is by one formula.
+  const double parts = effects_.gravity && effects_.drag ? 2 : 1;
+  seconds.of<Gravity>() = costs.bending / parts;
+  seconds.of<Drag>() = costs.bending / parts;
+  add_seconds(effects_, seconds, measurements);
 }
 
 template <class P>

@@ -66,6 +66,10 @@ class Motion {
   void bounce(Disk& disk, Index wall, At now) const;
   /// The impact of two balls; gives how deep they overlapped, as a part of the smaller radius.
   double strike(Disk& a, Disk& b, At now) const;
+  /// What friction does in such an impact, to balls that are where they meet, r apart.
+  void rub(Disk& a, Disk& b, const Vec<S>& r) const requires P::kSpins;
+  /// The same at a wall, that the ball comes to at the speed `arrival`.
+  void rub_wall(Disk& disk, std::size_t axis, int side, const S& arrival) const requires P::kSpins;
 
   [[nodiscard]] const Rules& rules() const { return rules_; }
   [[nodiscard]] const typename P::Law& law() const { return law_; }
@@ -143,8 +147,6 @@ class Motion {
   [[nodiscard]] bool just_hit(const Disk& disk, const S& reach, const S& speed, At now) const
       requires(P::kRests);
   [[nodiscard]] Rubbing<S> rubbing(const Disk& disk) const requires P::kSpins;
-  void rub(Disk& a, Disk& b, const Vec<S>& r) const requires P::kSpins;
-  void rub_wall(Disk& disk, std::size_t axis, int side, const S& arrival) const requires P::kSpins;
   /// Whether it goes less than a quick bound says within `wait`, and so far it is from all that it
   /// can meet alone.
   [[nodiscard]] bool stays_clear(const Disk& disk, double wait) const requires kIsDouble<S>;

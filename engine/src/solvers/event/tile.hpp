@@ -32,6 +32,22 @@ struct Counts {
   double max_overlap = 0;              ///< deepest overlap at an impact / smaller radius
 };
 
+/// Wall-clock seconds of what effects do.
+struct Costs {
+  double collisions = 0;  ///< pairs: who meets next, impacts between balls, crowds
+  double walls = 0;       ///< when a ball meets a wall, and impacts there
+  double friction = 0;    ///< of single impacts
+  double bending = 0;     ///< of flights, to their impacts, by gravity and drag
+
+  Costs& operator+=(const Costs& other) {
+    collisions += other.collisions;
+    walls += other.walls;
+    friction += other.friction;
+    bending += other.bending;
+    return *this;
+  }
+};
+
 /// Balls and their impacts in the order of time.
 ///
 /// For each ball the earliest impact is kept that it is known to have; a pair is kept with the
@@ -76,6 +92,8 @@ class Tile {
   [[nodiscard]] const Motion<P>& motion() const { return motion_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
   [[nodiscard]] std::size_t bytes() const;
+  /// From a sample of the events, scaled to all.
+  [[nodiscard]] Costs costs() const;
 
   /// Where P::kRests: who rests on this ball, or carries it, moves again.
   void wake_around(Index i, At now) requires(P::kRests);
@@ -113,7 +131,11 @@ class Tile {
   void next_event(Index i, At now);
   void announce(Index i) { agenda_.add(disks_[i].due(), i); }
   void start_agenda(At now, double area);
+  void take(const Entry& entry);
   void fetch(std::span<const Entry> entries, std::span<const Entry> after) const;
+
+  // What events cost: tile_cost_body.hpp.
+  void time_event(Index i, At now);
 
   // Impacts: tile_impact_body.hpp.
   void meet(Index i, At now);
@@ -179,6 +201,10 @@ class Tile {
   Neighbours<P> neighbours_{motion_};
   Agenda<typename P::Clock> agenda_;
   Counts counts_;
+  Costs sampled_;                       ///< of the events that were timed
+  double crowd_seconds_ = 0;            ///< of all steps and impacts of crowds
+  std::uint64_t samples_ = 0;           ///< events that were timed
+  std::uint32_t untimed_ = 0;           ///< events before the next one that is
   Time next_step_ = P::Clock::never();  ///< of crowds
   std::vector<int> number_;             ///< in the crowd that is looked at; -1
   Journal<P>* journal_ = nullptr;

@@ -80,6 +80,15 @@ void Tile<P>::start_agenda(At now, double area) {
 }
 
 template <class P>
+void Tile<P>::take(const Entry& entry) {
+  if (untimed_-- == 0) {
+    time_event(entry.ball, entry.time);
+  } else {
+    next_event(entry.ball, entry.time);
+  }
+}
+
+template <class P>
 void Tile<P>::advance_to(At until) {
   const auto wanted = [this](const Entry& entry) { return disks_[entry.ball].due() == entry.time; };
   const auto prepare = [this](std::span<const Entry> entries, std::span<const Entry> after) {
@@ -91,7 +100,7 @@ void Tile<P>::advance_to(At until) {
       if (const Entry* next = agenda_.first(at, wanted, prepare)) {
         const Entry entry = *next;
         agenda_.drop_first();
-        if (wanted(entry)) next_event(entry.ball, entry.time);
+        if (wanted(entry)) take(entry);
       } else if (next_step_ <= until) {
         next_step_ = P::Clock::never();
         step_crowds(at);
@@ -103,7 +112,7 @@ void Tile<P>::advance_to(At until) {
   while (const Entry* next = agenda_.first(until, wanted, prepare)) {
     const Entry entry = *next;
     agenda_.drop_first();
-    if (wanted(entry)) next_event(entry.ball, entry.time);
+    if (wanted(entry)) take(entry);
   }
   reached_ = until;
 }

@@ -10,6 +10,7 @@
 #include "contact/event_exact_sum.hpp"
 #include "contact/event_rest.hpp"
 #include "solvers/event/tile.hpp"
+#include "state/stopwatch.hpp"
 
 namespace carom::event {
 
@@ -149,6 +150,7 @@ bool Tile<P>::hit_crowd(Index i, Index partner, At now) requires(P::kRests) {
 
 template <class P>
 void Tile<P>::hit_crowd(Gathering& crowd, At now) requires(P::kRests) {
+  const Stopwatch stopwatch(true, crowd_seconds_);
   gather(crowd, now);
   schedule_step(now);
   S span = 0;  // until the next step; 0: for ever
@@ -244,6 +246,7 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) requires(P::kRests) {
 
 template <class P>
 void Tile<P>::step_crowds(At now) requires(P::kRests) {
+  const Stopwatch stopwatch(true, crowd_seconds_);
   std::vector<Index> all;
   for (Index i = 0; i < disks_.size(); ++i) {
     if (!motion_.fixed(disks_[i]) && motion_.carried(disks_[i]) >= kStepped) all.push_back(i);

@@ -78,6 +78,7 @@ class Windows {
   [[nodiscard]] std::uint64_t solved_again() const { return again_; }
   [[nodiscard]] std::uint64_t windows() const { return windows_; }
   [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] Costs costs() const;
 
  private:
   [[nodiscard]] std::size_t next();

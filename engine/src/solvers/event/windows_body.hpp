@@ -231,6 +231,13 @@ auto Windows<P>::flight(Index ball) const -> const Disk& {
 }
 
 template <class P>
+Costs Windows<P>::costs() const {
+  Costs costs;
+  for (const auto& part : parts_) costs += part->tile().costs();
+  return costs;
+}
+
+template <class P>
 std::size_t Windows<P>::bytes() const {
   std::size_t bytes = 0;
   for (const auto& part : parts_) bytes += part->bytes();

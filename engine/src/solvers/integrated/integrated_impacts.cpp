@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/impulse.hpp"
+#include "state/stopwatch.hpp"
 
 namespace carom {
 
@@ -48,11 +49,17 @@ bool IntegratedSolver::too_often(const Meeting& meeting) {
 
 void IntegratedSolver::strike(const Meeting& meeting) {
   if (too_often(meeting)) resting_.push_back(meeting);
-  if (meeting.with_wall()) {
-    strike_wall(meeting);
-  } else {
-    strike_balls(meeting);
+  const double rubbing = impacts_.of<Friction>();
+  double& impacts = meeting.with_wall() ? impacts_.of<Walls>() : impacts_.of<Collisions>();
+  {
+    const Stopwatch stopwatch(true, impacts);
+    if (meeting.with_wall()) {
+      strike_wall(meeting);
+    } else {
+      strike_balls(meeting);
+    }
   }
+  impacts -= impacts_.of<Friction>() - rubbing;
 }
 
 void IntegratedSolver::strike_balls(const Meeting& meeting) {
@@ -73,6 +80,7 @@ void IntegratedSolver::strike_balls(const Meeting& meeting) {
   a.velocity -= j * a.inverse_mass * line.r;
   b.velocity += j * b.inverse_mass * line.r;
   if (effects_.friction && effects_.friction->balls > 0) {
+    const Stopwatch stopwatch(true, impacts_.of<Friction>());
     effects::rub(a, b, line, j * line.length, effects_.friction->balls);
   }
   if (bounces) {
@@ -106,6 +114,7 @@ void IntegratedSolver::strike_wall(const Meeting& meeting) {
     const double leaving = bounces ? restitution * arrival : 0;
     ball.velocity[k] = -outwards * leaving;
     if (effects_.friction && effects_.friction->walls > 0) {
+      const Stopwatch stopwatch(true, impacts_.of<Friction>());
       effects::rub_wall(ball, axis, outwards * (arrival + leaving), effects_.friction->walls);
     }
     if (bounces) ++state_.ball_wall;

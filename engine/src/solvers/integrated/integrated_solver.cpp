@@ -285,7 +285,9 @@ void IntegratedSolver::count(Measurements& measurements) const {
   measurements.max_overlap = std::max(measurements.max_overlap, state_.deepest);
   EffectSeconds seconds;
   for (const Find& find : finds_) seconds += find.seconds;
-  add_sampled_seconds(effects_, seconds, taken_, measurements);
+  seconds *= scale_of_samples(taken_);
+  seconds += impacts_;
+  add_seconds(effects_, seconds, measurements);
 }
 
 void IntegratedSolver::save(Scene& scene) const {

@@ -150,6 +150,7 @@ class IntegratedSolver final : public Solver {
   double extra_ = 0;  // part of a step to show beyond the target
   double time_ = 0;   // that was aimed at
   std::uint64_t taken_ = 0;
+  EffectSeconds impacts_;  // what they took, all of them
 
   std::size_t parts_ = 0;  // of the step, still to come: whole ones, and the length of a last one
   double tail_ = 0;
