@@ -16,6 +16,8 @@ using test::Exact;
 using test::kU;
 using test::RandomNumbers;
 using V = Vec<double>;
+using Fifty = boost::multiprecision::number<boost::multiprecision::backends::cpp_bin_float<50>,
+                                            boost::multiprecision::et_off>;
 
 Vec<Exact> exact(const V& a) {
   return {Exact(a.x), Exact(a.y)};
@@ -203,27 +205,43 @@ TEST(EventPairImpact, OfEqualBallsHeadOnExchangesThemExactly) {
   }
 }
 
+/// How far an impact of two is from the contract's formula, in a hundred digits.
+template <class S>
+Exact error_of_impact(const V& r, const V& va, const V& vb, double ma, double mb, double e) {
+  const auto in = [](const V& a) { return Vec<S>{S(a.x), S(a.y)}; };
+  const auto after = pair_impact<S>(in(r), in(va), in(vb), S(1 / ma), S(1 / mb), S(e));
+  const auto re = exact(r);
+  const Vec<Exact> v{Exact(vb.x) - va.x, Exact(vb.y) - va.y};
+  const Exact b = re.x * v.x + re.y * v.y;
+  const Exact j = b < 0 ? Exact(-(1 + Exact(e)) * b / (re.x * re.x + re.y * re.y) /
+                                (Exact(1 / ma) + Exact(1 / mb)))
+                        : Exact(0);
+  Exact worst = 0;
+  const auto note = [&](const Exact& wanted, const S& got) {
+    worst = std::max(worst, Exact(abs(wanted - Exact(got))));
+  };
+  note(va.x - j * (1 / ma) * re.x, after.a.x);
+  note(va.y - j * (1 / ma) * re.y, after.a.y);
+  note(vb.x + j * (1 / mb) * re.x, after.b.x);
+  note(vb.y + j * (1 / mb) * re.y, after.b.y);
+  return worst;
+}
+
+// With no restitution half of the impacts leave an approach that is rounding: making up for it
+// must not turn them round.
 TEST(EventPairImpact, IsTheContractsFormulaToAFewUnits) {
   RandomNumbers random(8);
+  const Exact wide_unit = std::numeric_limits<Fifty>::epsilon();
   for (int k = 0; k < 5000; ++k) {
     const double ma = std::exp(random.between(-14, 14));
     const double mb =
         k % 7 == 0 ? std::numeric_limits<double>::infinity() : std::exp(random.between(-14, 14));
-    const double e = k % 3 == 0 ? 1 : random.between(0, 1);
+    const double e = k % 3 == 0 ? 1 : k % 3 == 1 ? 0 : random.between(0, 1);
     const V r = polar(random.between(0.5, 2), random.angle());
     const V va = polar(random.between(0, 2), random.angle());
     const V vb = polar(random.between(0, 2), random.angle());
-    const auto after = pair_impact(r, va, vb, 1 / ma, 1 / mb, e);
-    const auto re = exact(r);
-    const V v = vb - va;
-    const Exact b = re.x * v.x + re.y * v.y;
-    const Exact j = b < 0 ? Exact(-(1 + Exact(e)) * b / (re.x * re.x + re.y * re.y) /
-                                  (1 / Exact(ma) + 1 / Exact(mb)))
-                          : Exact(0);
-    const Exact ax = va.x - j / ma * re.x;
-    const Exact by = vb.y + j / mb * re.y;
-    EXPECT_LE(abs(ax - after.a.x), 8 * kU * 4);
-    EXPECT_LE(abs(by - after.b.y), 8 * kU * 4);
+    EXPECT_LE(error_of_impact<double>(r, va, vb, ma, mb, e), 32 * kU) << "restitution " << e;
+    EXPECT_LE(error_of_impact<Fifty>(r, va, vb, ma, mb, e), 32 * wide_unit) << "restitution " << e;
   }
 }
 

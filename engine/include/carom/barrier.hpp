@@ -12,7 +12,8 @@ namespace carom {
 ///
 /// A phase ends when every party has arrived; the last to arrive runs the completion, then all go
 /// on.  A thread that waits spins while the parties do not outnumber the cores, then yields a few
-/// times, then sleeps.
+/// times, then sleeps.  Where other programs have been seen to take the turns that yields give away
+/// it does not yield, for a while.
 ///
 /// Threads: every member may be called by any thread; a thread that waits is one party.
 /// Memory order: what a party did before it arrived (or left) happens before the completion of that
@@ -54,7 +55,10 @@ class Barrier {
     std::atomic<std::uint32_t> sleepers{0};
   };
 
-  [[nodiscard]] bool wait(Gate& gate, std::uint32_t phase, std::size_t parties);
+  [[nodiscard]] bool wait(Gate& gate, std::uint64_t arrival);
+  [[nodiscard]] int yields_of(std::size_t parties);
+  [[nodiscard]] bool yield_was_long();
+  void learn_to_spin(int spins, bool in_vain);
   [[nodiscard]] bool end_phase(std::uint32_t phase);
 
   std::function<void()> completion_;
@@ -62,6 +66,8 @@ class Barrier {
   /// indivisible step.
   alignas(64) std::atomic<std::uint64_t> state_;
   std::array<Gate, 2> gates_;
+  std::atomic<int> spins_;          ///< that a wait begins with
+  std::atomic<int> unyielding_{0};  ///< waits to come that do not yield
 };
 
 }  // namespace carom

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "contact/event_scalar.hpp"
 
 namespace carom::event {
@@ -49,9 +51,10 @@ Vec<S> less(const Vec<S>& v, const S& factor, const Vec<S>& part) {
 /// happens.
 ///
 /// Holds: afterwards they do not approach, in the very bits that pair_time() looks at: where
-/// rounding swallows an impulse (balls that graze, or that fly together much faster than they
-/// approach) it is doubled until it shows, so that no impact happens twice. (b, a, -r) gives the
-/// same bits as (a, b, r); mirrors and swapped axes give mirrored and swapped bits.
+/// rounding leaves an approach (e = 0), or swallows an impulse (balls that graze, or that fly
+/// together much faster than they approach), the least power of two of it that shows is added, so
+/// that no impact happens twice. (b, a, -r) gives the same bits as (a, b, r); mirrors and swapped
+/// axes give mirrored and swapped bits.
 template <class S>
 Velocities<S> pair_impact(const Vec<S>& r, const Vec<S>& v_a, const Vec<S>& v_b,
                           const S& inverse_mass_a, const S& inverse_mass_b, const S& restitution) {
@@ -61,13 +64,14 @@ Velocities<S> pair_impact(const Vec<S>& r, const Vec<S>& v_a, const Vec<S>& v_b,
     return {v_a, v_b};
   }
   const Vec<S> part = along(v, r);
-  S share_a = (1 + restitution) * (inverse_mass_a / inverse_masses);
-  S share_b = (1 + restitution) * (inverse_mass_b / inverse_masses);
+  const S share_a = (1 + restitution) * (inverse_mass_a / inverse_masses);
+  const S share_b = (1 + restitution) * (inverse_mass_b / inverse_masses);
   Velocities<S> result{less(v_a, S(-share_a), part), less(v_b, share_b, part)};
+  S more = std::numeric_limits<S>::epsilon();
   while (sharp_dot(r, result.b - result.a) < 0) {
-    share_a = share_a * 2;
-    share_b = share_b * 2;
-    result = {less(v_a, S(-share_a), part), less(v_b, share_b, part)};
+    const S times = 1 + more;
+    result = {less(v_a, S(-share_a * times), part), less(v_b, S(share_b * times), part)};
+    more = more * 2;
   }
   return result;
 }

@@ -13,7 +13,8 @@ namespace carom::event {
 /// What resolving one instant took.
 struct JointReport {
   int rounds = 0;    ///< generalised reflections
-  int impacts = 0;   ///< contacts that carried an impulse in them, counted every time
+  int impacts = 0;   ///< contacts of balls that carried an impulse in them, counted every time
+  int walls = 0;     ///< the same with walls
   int settling = 0;  ///< rounds for approaches that are rounding only
   int locked = 0;    ///< bodies that had to be given a common velocity: the last resort
 };
@@ -143,11 +144,15 @@ class JointImpact {
     }
   }
 
+  void note_impact(std::size_t k) {
+    ++(graph_.contact(k).b == kWall ? report_.walls : report_.impacts);
+  }
+
   void reflect_alone(std::size_t k, bool lossless) {
     const Contact<S>& c = graph_.contact(k);
     const S e = lossless ? S(1) : c.restitution;
     if (!lossless) {
-      ++report_.impacts;
+      note_impact(k);
       gains_[k] = gains_[k] + (1 + e) * approach_speed(c.r, velocity(c.b) - velocity(c.a));
     }
     if (c.b == kWall) {
@@ -169,7 +174,7 @@ class JointImpact {
     S restitution = 1;
     for (std::size_t k = 0; k < graph_.size(); ++k) {
       if (!(impulses[k] > 0) || lossless) continue;
-      ++report_.impacts;
+      note_impact(k);
       const S& e = graph_.contact(k).restitution;
       if (e < restitution) restitution = e;
     }
@@ -212,7 +217,9 @@ class JointImpact {
     for (std::size_t k = 0; k < graph_.size(); ++k) all[k] = graph_.mobility(k) > 0 ? 1 : 0;
     const std::vector<S> impulses = nonnegative_impulses(graph_, partings(), all);
     ++report_.rounds;
-    for (const S& impulse : impulses) report_.impacts += impulse > 0 ? 1 : 0;
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      if (impulses[k] > 0) note_impact(k);
+    }
     apply(impulses, S(1));
   }
 

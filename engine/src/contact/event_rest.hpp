@@ -14,7 +14,8 @@ namespace carom::event {
 // that the hop is over before the clock moves, rests on it from this instant: its normal velocity
 // is 0 and nothing accelerates it that way.  Dropped from h it rests at sqrt(2h/g)(1+e)/(1-e),
 // exactly at the wall, after about ln(2^55) / ln(1/e) hops; along the wall it glides on.  The same
-// straight above a fixed ball.  Seen from a ball that falls it accelerates: peg_time().
+// straight above a fixed ball.  Seen from a ball that falls it accelerates: peg_time().  Where the
+// wall is elastic only a hop that rounding has made is over so soon, within 2^15 ticks.
 //
 // Rule 2, collapse without a force (McNamara and Young, Phys. Fluids A 4 (1992) 496).  Two that
 // would part by less than 2^-95 of their distance in a tick take one normal velocity: they stay
@@ -31,6 +32,7 @@ namespace carom::event {
 //   - after which they would meet again within a step, as gravity presses them together,
 //   - or shortly after both have been hit: within 2^-12 sqrt(s/g), and 2^-12 of s: contacts last
 //     so long (Luding and McNamara, Granular Matter 1 (1998) 113).
+// Where only walls lose energy, one of the two must be carried already.
 // A harder impact on a crowd is resolved for all of it at once: by the least impulses that stop
 // the approach, given 1 + e times, and again without e.  A ball that nothing in the crowd carries
 // leaves it.  A crowd gains no energy, counted without what gravity has given it ahead of its fall.
@@ -45,16 +47,18 @@ namespace carom::event {
 // What there is to save of this is, ball by ball, the axes along which something carries it, and
 // whether it is in a crowd, and rests; the rest follows from the flights.
 
+/// Ticks within which both have been hit before, where balls collapse.
+inline constexpr double kCollapse = 0x1p15;
+
 /// Rule 1: leaving at v, pressed back by a, the hop is over before the clock moves.
 template <class S>
 bool bounces_out(const S& v, const S& a, const S& restitution, const S& resolution) {
-  return restitution < 1 && a > 0 && 2 * v <= a * resolution;
+  const S shortest = resolution * (restitution < 1 ? 1 : kCollapse);
+  return a > 0 && 2 * v <= a * shortest;
 }
 
 /// Rule 2: two that part by less than 2^this of their contact's distance in a tick stay together.
 inline constexpr int kTogether = -95;
-/// Ticks within which both have been hit before, where balls collapse.
-inline constexpr double kCollapse = 0x1p15;
 
 /// Balls that touch are so near, as a part of their contact's distance: nearer than what
 /// neighbours are listed for.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <stdexcept>
 #include <utility>
 
@@ -25,6 +26,14 @@ constexpr int kYields = 4;
 constexpr std::size_t kFewParties = 64;
 constexpr int kYieldsOfFew = 8;
 constexpr int kYieldsOfMany = 3;
+// Where a yield brings the other party at once, the two share a core, and it was kept from it by
+// the spin: then they spin less, down to this.
+constexpr int kFewSpins = 16;
+// A few parties must not give their turns to other programs, which keep a core for milliseconds: to
+// sleep, and be put before them when woken, is better then.  Whether it still is, is tried again
+// after so many waits.  Many parties have most of the turns anyway.
+constexpr std::chrono::microseconds kLongYield{1000};
+constexpr int kUnyielding = 4000;
 // A thread that wakes up wakes the next few: the last to arrive does not pay for all, and a
 // sleeper's data are fetched once, by the core on which it is about to run.
 constexpr int kWakes = 4;
@@ -75,7 +84,7 @@ void pause() {
 }  // namespace
 
 Barrier::Barrier(std::size_t parties, std::function<void()> completion)
-    : completion_(std::move(completion)), state_(parties * kOneParty) {
+    : completion_(std::move(completion)), state_(parties * kOneParty), spins_(kSpins) {
   if (parties > kMostParties) throw std::length_error("too many parties for a barrier");
   gates_[0].word.store(static_cast<std::uint32_t>(-2));
   gates_[1].word.store(0);
@@ -94,30 +103,64 @@ bool Barrier::arrive_and_wait() {
                                       std::memory_order_relaxed)) {
       continue;
     }
-    if (!last) return wait(gate, phase_of(state), parties_of(state));
+    if (!last) return wait(gate, state);
     return end_phase(phase_of(state));
   }
 }
 
-bool Barrier::wait(Gate& gate, std::uint32_t phase, std::size_t parties) {
-  const bool many = parties > cores();
-  int spins = many ? 0 : kSpins;
-  int yields = kYields;
-  if (many) yields = parties <= kFewParties ? kYieldsOfFew : kYieldsOfMany;
+int Barrier::yields_of(std::size_t parties) {
+  if (parties > kFewParties) return kYieldsOfMany;
+  const int unyielding = unyielding_.load(std::memory_order_relaxed);
+  if (unyielding == 0) return parties <= cores() ? kYields : kYieldsOfFew;
+  // Several may count down at once, and it be counted once.
+  unyielding_.store(unyielding - 1, std::memory_order_relaxed);
+  return 0;
+}
+
+bool Barrier::yield_was_long() {
+  const auto before = std::chrono::steady_clock::now();
+  sched_yield();
+  if (std::chrono::steady_clock::now() - before <= kLongYield) return false;
+  unyielding_.store(kUnyielding, std::memory_order_relaxed);
+  return true;
+}
+
+void Barrier::learn_to_spin(int spins, bool in_vain) {
+  const int better = in_vain ? std::max(spins / 2, kFewSpins) : std::min(2 * spins, kSpins);
+  if (better != spins) spins_.store(better, std::memory_order_relaxed);
+}
+
+// `arrival`: the state before it arrived.
+bool Barrier::wait(Gate& gate, std::uint64_t arrival) {
+  const std::uint32_t phase = phase_of(arrival);
+  const std::size_t parties = parties_of(arrival);
+  const bool spins = parties <= cores();
+  const int most_spins = spins ? spins_.load(std::memory_order_relaxed) : 0;
+  int spins_left = most_spins;
+  const int most_yields = yields_of(parties);
+  int yields_left = most_yields;
   for (;;) {
     const std::uint32_t word = gate.word.load(std::memory_order_acquire);
-    if (is_over(word, phase)) return true;
+    if (is_over(word, phase)) {
+      if (spins) learn_to_spin(most_spins, yields_left < most_yields);
+      return true;
+    }
     if ((word & kCancelled) != 0) return false;
-    if (spins > 0) {
-      --spins;
+    if (spins_left > 0) {
+      --spins_left;
       pause();
-    } else if (yields > 0) {
-      --yields;
-      sched_yield();
+    } else if (yields_left > 0) {
+      --yields_left;
+      if (parties > kFewParties) {
+        sched_yield();
+      } else if (yield_was_long()) {
+        yields_left = 0;
+      }
     } else {
       break;
     }
   }
+  if (spins) learn_to_spin(most_spins, false);
   // Counted first, then looked at again (by the kernel, as it falls asleep), while end_phase()
   // moves the word first and looks at the count after: in the single order of these four, one sees
   // the other, and no wake-up is lost.

@@ -8,6 +8,7 @@
 #include "solvers/event/windows.hpp"
 #include "solvers/solver.hpp"
 #include "state/domain.hpp"
+#include "state/totals.hpp"
 
 namespace carom {
 
@@ -76,6 +77,9 @@ class EventSolver final : public Solver {
   [[nodiscard]] event::Costs costs() const;
   void advance();
   void land();
+  /// How often each ball was brought back round a periodic axis that gravity pulls along, in the
+  /// flights that are over, and in the present ones if so asked.
+  [[nodiscard]] Turns turns(bool of_present_flights) const;
   void start();
   void take_flights(const Scene& scene);
   void refuse_other_places(const Scene& scene) const;
@@ -97,6 +101,7 @@ class EventSolver final : public Solver {
   std::uint64_t again_ = 0;                     // solved again by windows that are gone
   event::Counts before_;                        // counted in tiles that are gone
   event::Costs costs_before_;
+  Turns turns_before_;  // in the order of the balls
   Moment now_;
   Moment target_;
 };

@@ -228,6 +228,9 @@ bool EventSolver<P>::shares() const {
   if (choice_.parts < 2 || one_tile_ || !kShares) return false;
   if (balls_.size() < choice_.least_balls || !effects_.collisions) return false;
   if (effects_.collisions->restitution < 1) return false;
+  // Parts do not count turns.
+  const auto [gx, gy] = event::gravity_of(effects_);
+  if ((gx != 0 && domain_.period[0] > 0) || (gy != 0 && domain_.period[1] > 0)) return false;
   if (effects_.walls && effects_.walls->restitution < 1) return false;
   return !P::Law::kBends ||
          std::none_of(balls_.begin(), balls_.end(), [](const Ball& ball) { return ball.fixed; });
@@ -295,9 +298,34 @@ event::Costs EventSolver<P>::costs() const {
   return tile_->costs();
 }
 
+template <class P>
+Turns EventSolver<P>::turns(bool of_present_flights) const {
+  Turns turns = turns_before_;
+  if (!tile_) return turns;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (tile_->turns()[axis].empty()) {
+      turns[axis].clear();
+      continue;
+    }
+    turns[axis].resize(slot_.size(), 0);
+    const S period = domain_.period[axis];
+    for (std::size_t i = 0; i < slot_.size(); ++i) {
+      turns[axis][i] += tile_->turns()[axis][slot_[i]];
+      if (!of_present_flights || balls_[i].fixed) continue;
+      const event::Vec<S> at = motion().place(flight(i), now_.ticks);
+      const event::Vec<S> image = motion().wrapped(at);
+      const S apart = axis == 0 ? S(at.x - image.x) : S(at.y - image.y);
+      turns[axis][i] += std::llrint(static_cast<double>(S(apart / period)));
+    }
+  }
+  return turns;
+}
+
 // Takes the flights out of the tile, into the order of the balls.
 template <class P>
 void EventSolver<P>::land() {
+  // What a flight has gone round stays with it until it ends.
+  if (tile_) turns_before_ = turns(false);
   balls_ = state();
   flights_.resize(slot_.size());
   left_.assign(slot_.size(), event::kUnknown);
@@ -396,6 +424,9 @@ void EventSolver<P>::add(const Ball& ball) {
   land();
   balls_.push_back(ball);
   flights_.push_back(flight_of(ball));
+  for (auto& turns : turns_before_) {
+    if (!turns.empty()) turns.push_back(0);
+  }
   start();
 }
 
@@ -406,6 +437,9 @@ void EventSolver<P>::remove(std::size_t ball) {
   balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(ball));
   flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(ball));
   left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ball));
+  for (auto& turns : turns_before_) {
+    if (!turns.empty()) turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(ball));
+  }
   carried_.erase(carried_.begin() + static_cast<std::ptrdiff_t>(ball));
   for (event::Index& left : left_) {
     if (left == event::kUnknown || left < ball) continue;
@@ -417,6 +451,7 @@ void EventSolver<P>::remove(std::size_t ball) {
 // A new field or drag bends the flights: they start anew where they are.
 template <class P>
 void EventSolver<P>::set(const Effects& effects) {
+  const Turns with_present = turns(true);
   land();
   if (effects.walls) {
     effects_.walls = effects.walls;
@@ -428,6 +463,7 @@ void EventSolver<P>::set(const Effects& effects) {
   if (effects.collisions) effects_.collisions = effects.collisions;
   if (effects.friction) effects_.friction = effects.friction;
   if (effects.gravity || effects.drag) {
+    turns_before_ = with_present;
     for (Disk& disk : flights_) {
       if (disk.start != P::Clock::ever()) motion().carry(disk, now_.ticks);
     }
@@ -492,7 +528,7 @@ double EventSolver<P>::energy() const {
   double ahead = 0;
   if constexpr (P::kRests) ahead = tile_->given_ahead(now_.ticks);
   return kinetic_energy(balls) + spins - ahead +
-         potential_energy(balls, {gx, gy}, {domain_.period[0], domain_.period[1]}, {});
+         potential_energy(balls, {gx, gy}, {domain_.period[0], domain_.period[1]}, turns(true));
 }
 
 template <class P>

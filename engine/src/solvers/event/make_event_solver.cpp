@@ -37,15 +37,17 @@ bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
       if (flight.carried != 0) return true;
     }
   }
-  // Without losses only what lies still from the start rests.
-  const auto lies = [](const Ball& ball) {
-    return !ball.fixed && (ball.velocity.x() == 0 || ball.velocity.y() == 0);
-  };
+  // Without losses only what lies still from the start rests, and what fits exactly between walls.
   const Domain domain(scene.box, scene.effects.walls.has_value());
+  const auto lies = [&](const Ball& ball, std::size_t axis) {
+    if (ball.fixed) return false;
+    return ball.velocity.x() == 0 || ball.velocity.y() == 0 ||
+           domain.lowest(axis, ball.radius) == domain.highest(axis, ball.radius);
+  };
   return scene.effects.gravity && std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
            for (std::size_t axis = 0; axis < 2; ++axis) {
              const double x = ball.position[static_cast<Eigen::Index>(axis)];
-             if (domain.solid(axis) && lies(ball) &&
+             if (domain.solid(axis) && lies(ball, axis) &&
                  (x == domain.lowest(axis, ball.radius) ||
                   x == domain.highest(axis, ball.radius))) {
                return true;

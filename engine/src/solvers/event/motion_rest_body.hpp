@@ -112,7 +112,10 @@ bool Motion<P>::just_hit(const Disk& disk, const S& reach, const S& speed, At no
 template <class P>
 bool Motion<P>::clings(const Disk& a, const Disk& b, const Vec<S>& r, At now) const
     requires(P::kRests) {
-  if (!(rules_.restitution < 1)) return false;
+  // Elastic balls stay on those that a lossy wall carries.
+  if (rules_.restitution == 1 && (fixed(a) || carried(a) == 0) && (fixed(b) || carried(b) == 0)) {
+    return false;
+  }
   const Vec<S> v = velocity(b, now) - velocity(a, now);
   const S distance = root(S(r.x * r.x + r.y * r.y));
   const S speed = -sharp_dot(r, v) / distance;

@@ -31,6 +31,11 @@ struct BasicRules {
   double drag_rate = 0;
   double friction = 0;  ///< of balls with each other
   double wall_friction = 0;
+
+  /// Gravity pulls along this axis, which is periodic.
+  [[nodiscard]] bool falls_round(std::size_t axis) const {
+    return gravity[axis] != 0 && domain.period[axis] > 0;
+  }
 };
 
 /// Whether impacts lose energy, so that contacts can come to rest.

@@ -15,6 +15,7 @@
 #include "solvers/event/motion.hpp"
 #include "solvers/event/neighbours.hpp"
 #include "solvers/event/plot.hpp"
+#include "state/totals.hpp"
 
 namespace carom::event {
 
@@ -91,6 +92,9 @@ class Tile {
   [[nodiscard]] Index left(Index i) const { return left_.empty() ? kUnknown : left_[i]; }
   [[nodiscard]] const Motion<P>& motion() const { return motion_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
+  /// How often each flight since `reset` was brought back round a periodic axis that gravity pulls
+  /// along; empty for other axes.
+  [[nodiscard]] const Turns& turns() const { return turns_; }
   [[nodiscard]] std::size_t bytes() const;
   /// From a sample of the events, scaled to all.
   [[nodiscard]] Costs costs() const;
@@ -142,6 +146,7 @@ class Tile {
   void meet_alone(Index i, Index partner, At now);
   void forget(Index i);
   void look_again(Index i, At now);
+  void count_turns(Index i, At now);
   void watch(At now);
 
   void note_alone(Index i, const Disk& before, Index partner, const Disk& partner_before,
@@ -201,10 +206,12 @@ class Tile {
   Neighbours<P> neighbours_{motion_};
   Agenda<typename P::Clock> agenda_;
   Counts counts_;
-  Costs sampled_;                       ///< of the events that were timed
-  double crowd_seconds_ = 0;            ///< of all steps and impacts of crowds
-  std::uint64_t samples_ = 0;           ///< events that were timed
-  std::uint32_t untimed_ = 0;           ///< events before the next one that is
+  Turns turns_;
+  std::vector<Disk> counted_;  ///< the flights that `turns_` has taken note of; empty: none
+  Costs sampled_;              ///< of the events that were timed
+  double crowd_seconds_ = 0;   ///< of all steps and impacts of crowds
+  std::uint64_t samples_ = 0;  ///< events that were timed
+  std::uint32_t untimed_ = 0;  ///< events before the next one that is
   Time next_step_ = P::Clock::never();  ///< of crowds
   std::vector<int> number_;             ///< in the crowd that is looked at; -1
   Journal<P>* journal_ = nullptr;

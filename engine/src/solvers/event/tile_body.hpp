@@ -41,6 +41,13 @@ void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<In
     left_ = left;
     left_.resize(n, kUnknown);
   }
+  counted_.clear();
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    turns_[axis].clear();
+    if (!motion_.rules().falls_round(axis)) continue;
+    turns_[axis].resize(n, 0);
+    counted_.assign(disks_.begin(), disks_.end());
+  }
   ties_.clear();
   instant_ = now;
   at_once_ = 0;
@@ -150,6 +157,9 @@ void Tile<P>::fetch(std::span<const Entry> entries, std::span<const Entry> after
 
 template <class P>
 void Tile<P>::rebase(At by) {
+  for (Disk& disk : counted_) {
+    if (disk.start != P::Clock::ever()) disk.start -= by;
+  }
   for (Disk& disk : disks_) {
     if (disk.start != P::Clock::ever()) disk.start -= by;
     if (disk.meets != P::Clock::never()) disk.meets -= by;

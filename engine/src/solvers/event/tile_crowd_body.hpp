@@ -132,7 +132,6 @@ void Tile<P>::fly_on(Gathering& crowd, At now) requires(P::kRests) {
 // Whether this impact is one of a crowd; then it is done.
 template <class P>
 bool Tile<P>::hit_crowd(Index i, Index partner, At now) requires(P::kRests) {
-  if (!(motion_.rules().restitution < 1)) return false;
   const bool ball = partner < kFirstMark;
   const bool moving = ball && !motion_.fixed(disks_[partner]);
   if (!motion_.crowded(disks_[i]) && !(moving && motion_.crowded(disks_[partner]))) {

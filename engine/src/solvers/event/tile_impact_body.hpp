@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "solvers/event/tile.hpp"
@@ -18,10 +19,24 @@ void Tile<P>::watch(At now) {
   }
 }
 
+template <class P>
+void Tile<P>::count_turns(Index i, At now) {
+  const Vec<S> came = motion_.place(counted_[i], now);
+  const auto count = [&](std::size_t axis, const S& from, const S& to) {
+    if (turns_[axis].empty()) return;
+    const S period = motion_.periods()[axis];
+    turns_[axis][i] += std::llrint(static_cast<double>(S((from - to) / period)));
+  };
+  count(0, came.x, disks_[i].x);
+  count(1, came.y, disks_[i].y);
+  counted_[i] = disks_[i];
+}
+
 // After a new flight has begun.
 template <class P>
 void Tile<P>::look_again(Index i, At now) {
   if (motion_.fixed(disks_[i])) return;
+  if (!counted_.empty()) count_turns(i, now);
   if (motion_.rules().collisions) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
   scan(i, now);
   announce(i);

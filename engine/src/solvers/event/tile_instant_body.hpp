@@ -134,7 +134,6 @@ void Tile<P>::note_instant(const Instant& instant, At now, Index ball_ball, Inde
 // Whether one of a crowd touches, two cling to each other, or they are too many.
 template <class P>
 bool Tile<P>::is_of_crowd(const Instant& instant, At now) const requires(P::kRests) {
-  if (!(motion_.rules().restitution < 1)) return false;
   if (instant.contacts.size() > kManyContacts) return true;
   for (const Index m : instant.members) {
     if (motion_.crowded(disks_[m])) return true;
@@ -191,15 +190,9 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
   const std::vector<Body<S>> before = instant.bodies;
   ++counts_.joint_impacts;
   const JointReport report = resolve(instant);
-  std::size_t walls = 0;
-  for (const typename Instant::Stop& stop : instant.stops) {
-    const bool turned = !(before[stop.member].velocity == instant.bodies[stop.member].velocity);
-    if (turned) ++walls;
-  }
+  const auto walls = static_cast<std::uint64_t>(report.walls);
+  const auto balls = static_cast<std::uint64_t>(report.impacts);
   counts_.ball_wall += walls;
-  const std::uint64_t balls =
-      static_cast<std::uint64_t>(std::max(0, report.impacts)) -
-      std::min<std::uint64_t>(walls, static_cast<std::uint64_t>(report.impacts));
   counts_.ball_ball += balls;
   if (journal_ != nullptr) {
     note_instant(instant, now, static_cast<Index>(balls), static_cast<Index>(walls));

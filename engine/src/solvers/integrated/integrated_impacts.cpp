@@ -42,13 +42,15 @@ LineOfCentres IntegratedSolver::line_between(const effects::Member& a,
 }
 
 bool IntegratedSolver::too_often(const Meeting& meeting) {
-  constexpr std::ptrdiff_t kOften = 16;
-  struck_.push_back(meeting.who());
-  return std::count(struck_.begin(), struck_.end(), meeting.who()) > kOften;
+  constexpr int kOften = 16;
+  return ++struck_[meeting.who()] > kOften;
 }
 
 void IntegratedSolver::strike(const Meeting& meeting) {
-  if (too_often(meeting)) resting_.push_back(meeting);
+  if (too_often(meeting)) {
+    resting_.push_back(meeting);
+    resting_.back().to_the_end = true;
+  }
   const double rubbing = impacts_.of<Friction>();
   double& impacts = meeting.with_wall() ? impacts_.of<Walls>() : impacts_.of<Collisions>();
   {
@@ -87,6 +89,7 @@ void IntegratedSolver::strike_balls(const Meeting& meeting) {
     ++state_.ball_ball;
     // What rested against one of the two may be hit now.
     std::erase_if(resting_, [&](const Meeting& other) {
+      if (other.to_the_end) return false;
       return other.i == a.ball || other.i == b.ball || other.j == a.ball || other.j == b.ball;
     });
   }

@@ -88,19 +88,44 @@ void IntegratedSolver::find_resting() {
 
 // What has pressed on in the step is stopped and put side by side, in passes to and fro.
 void IntegratedSolver::settle() {
-  constexpr int kPasses = 16;
   std::sort(resting_.begin(), resting_.end(),
             [](const Meeting& m, const Meeting& k) { return m.who() < k.who(); });
-  const auto sweep = [&](auto act) {
-    for (int pass = 0; pass < kPasses; ++pass) {
+  const auto sweep = [](std::vector<Meeting>& meetings, int passes, auto act) {
+    for (int pass = 0; pass < passes; ++pass) {
       bool any = false;
-      for (const Meeting& meeting : resting_) any |= act(meeting);
-      std::reverse(resting_.begin(), resting_.end());
+      for (const Meeting& meeting : meetings) any |= act(meeting);
+      std::reverse(meetings.begin(), meetings.end());
       if (!any) return;
     }
   };
-  sweep([this](const Meeting& meeting) { return stop(meeting); });
-  sweep([this](const Meeting& meeting) { return put_apart(meeting); });
+  sweep(resting_, 16, [this](const Meeting& meeting) { return stop(meeting); });
+  for (std::uint32_t i = 0; i < balls(); ++i) {
+    effects::Member ball = member(i);
+    if (put_inside(ball)) put_back(ball);
+  }
+  if (resting_.empty() || !collides()) return;
+  std::vector<Meeting> near = near_pairs();
+  sweep(near, 64, [this](const Meeting& meeting) { return put_apart(meeting); });
+}
+
+// Putting two apart may push others together that have not met in this step.
+std::vector<IntegratedSolver::Meeting> IntegratedSolver::near_pairs() const {
+  constexpr double kNear = 1.25;  // of the sum of the radii
+  std::vector<Meeting> near;
+  const Balls& balls = state_.balls;
+  const auto n = static_cast<std::uint32_t>(balls.size());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t j = i + 1; j < n; ++j) {
+      const Eigen::Index a = Balls::index(i);
+      const Eigen::Index b = Balls::index(j);
+      const double far = (balls.radius[a] + balls.radius[b]) * kNear;
+      double x = balls.position[0][b] - balls.position[0][a];
+      if (domain_.period[0] > 0) x = nearest_image(x, domain_.period[0]);
+      if (!(std::abs(x) < far) || (balls.fixed(i) && balls.fixed(j))) continue;
+      if (line_between(member(i), member(j)).distance < far) near.push_back({0, i, j});
+    }
+  }
+  return near;
 }
 
 bool IntegratedSolver::stop(const Meeting& meeting) {
@@ -135,30 +160,38 @@ bool IntegratedSolver::stop(const Meeting& meeting) {
   return true;
 }
 
+bool IntegratedSolver::put_inside(effects::Member& ball) const {
+  if (ball.inverse_mass == 0) return false;
+  const Vec2 from = ball.position;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (!domain_.solid(axis)) continue;
+    double& x = ball.position[Balls::index(axis)];
+    x = std::clamp(x, domain_.lowest(axis, ball.radius), domain_.highest(axis, ball.radius));
+  }
+  return ball.position != from;
+}
+
+// By their inverse masses; what a wall holds back the other has to give.
 bool IntegratedSolver::put_apart(const Meeting& meeting) {
   constexpr double kClose = 1 - 0x1p-40;  // of the sum of the radii: as good as apart
   effects::Member a = member(meeting.i);
-  if (meeting.with_wall()) {
-    const std::uint32_t side = meeting.j - Meeting::kWall;
-    const std::size_t axis = side / 2;
-    const double outwards = side % 2 == 1 ? 1 : -1;
-    double& x = a.position[Balls::index(axis)];
-    const double wall =
-        outwards > 0 ? domain_.highest(axis, a.radius) : domain_.lowest(axis, a.radius);
-    if (outwards * (x - wall) <= 0) return false;
-    x = wall;
-    put_back(a);
-    return true;
-  }
   effects::Member b = member(meeting.j);
-  const LineOfCentres line = line_between(a, b);
   const double reach = a.radius + b.radius;
-  if (line.distance >= reach * kClose) return false;
-  const double depth = reach - line.distance;
-  const Vec2 move = depth / (line.length * (a.inverse_mass + b.inverse_mass)) * line.r;
-  a.position -= a.inverse_mass * move;
-  b.position += b.inverse_mass * move;
-  state_.deepest = std::max(state_.deepest, depth / std::min(a.radius, b.radius));
+  const auto push = [&](double weight_a, double weight_b) {
+    const LineOfCentres line = line_between(a, b);
+    if (line.distance >= reach * kClose || !(weight_a + weight_b > 0)) return false;
+    const double depth = reach - line.distance;
+    const Vec2 move = depth / (line.length * (weight_a + weight_b)) * line.r;
+    a.position -= weight_a * move;
+    b.position += weight_b * move;
+    put_inside(a);
+    put_inside(b);
+    state_.deepest = std::max(state_.deepest, depth / std::min(a.radius, b.radius));
+    return true;
+  };
+  if (!push(a.inverse_mass, b.inverse_mass)) return false;
+  push(0, b.inverse_mass);
+  push(a.inverse_mass, 0);
   put_back(a);
   put_back(b);
   return true;

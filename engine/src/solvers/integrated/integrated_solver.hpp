@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -62,6 +63,7 @@ class IntegratedSolver final : public Solver {
     double at = 2;  // of the piece; beyond 1: there is none
     std::uint32_t i = 0;
     std::uint32_t j = 0;
+    bool to_the_end = false;  // of the step it rests, whatever happens
 
     [[nodiscard]] bool with_wall() const { return j >= kWall; }
     [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> who() const { return {i, j}; }
@@ -121,6 +123,8 @@ class IntegratedSolver final : public Solver {
   void settle();
   bool stop(const Meeting& meeting);
   bool put_apart(const Meeting& meeting);
+  bool put_inside(effects::Member& ball) const;
+  [[nodiscard]] std::vector<Meeting> near_pairs() const;
   [[nodiscard]] bool rests(const Meeting& meeting) const;
   [[nodiscard]] bool is_slow(const Meeting& meeting) const;
   /// What is too slow to bounce off another ball, or off a wall (i = j).
@@ -165,8 +169,8 @@ class IntegratedSolver final : public Solver {
   std::array<Balls::Column, 2> start_pull_;
   std::array<Balls::Column, 2> low_;  // what a ball's path stays within
   std::array<Balls::Column, 2> high_;
-  std::vector<Meeting> resting_;                                 // until the end of the step
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> struck_;  // in this step
+  std::vector<Meeting> resting_;                                   // until the end of the step
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> struck_;  // in this step, how often
   std::vector<Find> finds_;
 };
 
