@@ -4,7 +4,7 @@
 //
 //   event, sign of a pair's impulse       cradle rack corner three-way pi graze far collapse scaled
 //                                         mirrored order dense drift ratio reversal rods gas speeds
-//                                         cooling
+//                                         cooling start
 //   event, impulse along the velocity     graze far speeds cooling
 //   event, masses of a pair swapped       pi bullet order ratio
 //   event, the textbook root              graze far
@@ -17,7 +17,7 @@
 //   event, simultaneous hits in turn      rack three-way
 //   event, flights in float               graze far collapse zeno dense reversal rods
 //   event, impulses in float              rack pi graze far drift ratio reversal
-//   event, impulses a unit short          corner drift reversal rods
+//   event, impulses a unit short          corner drift reversal rods start
 //   event, a partner lost, none sought    rack collapse pile mirrored order dense drift gas speeds
 //                                         cooling
 //   event, neighbours from half as far    collapse pile order dense drift ratio reversal rods gas
@@ -30,11 +30,12 @@
 //   event, flights anew in each frame     order
 //   event, going on from rounded places   order reversal
 //   event, a flight's fixed ball unsaved  order
-//   overlap, sign of a pair's impulse     cradle order pile scaled (most do not come to an end)
+//   overlap, sign of a pair's impulse     cradle order pile scaled start (most never end)
 //   overlap, no approach below 1e-9       scaled
 //   overlap, impulses in float            cradle
 //   overlap, walls as lossy as balls      zeno
 //   overlap, sign of friction             pile
+//   overlap, coincident centres' line     start
 //   overlap, missed hits not counted      bullet
 //   overlap, steps counted in each frame  order
 //   overlap, a part of a step unsaved     order

@@ -45,6 +45,18 @@ bool flies_on(const Scene& scene, double time) {
   return right;
 }
 
+/// Two balls fly at each other so fast that one step takes both to the same place: each goes back
+/// as fast as it came, on its own side.
+bool turns_back_where_centres_coincide(const Trial& trial) {
+  Scene scene = with_balls(trial.scene, {ball(0.5, 1, 16, 0), ball(3.5, 1, -16, 0)});
+  scene.solver.step = 1.5 / 16;
+  const Outcome outcome = run(scene, scene.solver.step);
+  const Ball& left = outcome.balls[0];
+  const Ball& right = outcome.balls[1];
+  return left.velocity == Vec2{-16, 0} && right.velocity == Vec2{16, 0} &&
+         left.position.x() < right.position.x();
+}
+
 double wrong_starts(const Trial& trial) {
   double wrong = 0;
   for (const char* rest : kRefused) {
@@ -61,6 +73,7 @@ double wrong_starts(const Trial& trial) {
       if (!flies_on(scene, time)) ++wrong;
     }
   }
+  if (!turns_back_where_centres_coincide(trial)) ++wrong;
   return wrong;
 }
 
