@@ -190,8 +190,10 @@ bool ContactGroup::separate(const Contact& contact, const Domain& domain, double
   if (square >= close * close) return false;
   Member& a = members[contact.a];
   Member& b = members[contact.b];
-  const LineOfCentres line = line_of_centres(r, b.velocity - a.velocity);
-  const double depth = contact.reach - line.distance;
+  // Where the centres coincide, on the sides they came from: their velocities have turned by now.
+  const bool coincide = r.x() == 0 && r.y() == 0;
+  const LineOfCentres line = coincide ? contact.line : line_of_centres(r, {0, 0});
+  const double depth = contact.reach - (coincide ? 0 : line.distance);
   const Vec2 move = depth / line.length * line.r;
   a.position -= share_a * move;
   b.position += share_b * move;

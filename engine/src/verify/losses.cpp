@@ -96,17 +96,26 @@ struct Zeno {
   [[nodiscard]] double rest() const { return fall * (1 + e) / (1 - e); }
 };
 
-double zeno_heights(const Trial& trial) {
+double zeno_heights(const Trial& trial, int bounces) {
   const Zeno zeno(trial.scene);
   Simulation simulation(trial.scene);
   double worst = 0;
-  for (int n = 1; n <= 40; ++n) {
+  for (int n = 1; n <= bounces; ++n) {
     simulation.advance_to((zeno.landing(n - 1) + zeno.landing(n)) / 2);
     const Ball now = simulation.state()[0];
     const double height = now.position.y() - now.radius + now.velocity.squaredNorm() / (2 * zeno.g);
     worst = std::max(worst, std::abs(height - std::pow(zeno.e, 2 * n)));
   }
   return worst;
+}
+
+double zeno_all_heights(const Trial& trial) {
+  return zeno_heights(trial, 40);
+}
+
+/// Steps make each bounce a little late, not lower; these are still the same ones at the same time.
+double zeno_first_heights(const Trial& trial) {
+  return zeno_heights(trial, 5);
 }
 
 double zeno_rest_time(const Trial& trial) {
@@ -215,9 +224,10 @@ std::vector<Case> loss_cases() {
         {Method::event, "impacts", 1e5, collapse_impacts},
         {Method::event, "ends without a contact at rest", 0, collapse_unreported}}},
       {"zeno",
-       {{Method::event, "bounce heights, in drops", 1e-12, zeno_heights},
+       {{Method::event, "bounce heights, in drops", 1e-12, zeno_all_heights},
         {Method::event, "time of rest, relative", 1e-12, zeno_rest_time},
-        {Method::event, "off the floor, or impacts, after", 0, zeno_after}}},
+        {Method::event, "off the floor, or impacts, after", 0, zeno_after},
+        {Method::overlap, "first bounce heights, in drops", 1e-12, zeno_first_heights}}},
       {"pile",
        {{Method::event, "kinetic energy, of the drop", 1e-6, pile_motion},
         {Method::event, "overlap, in radii", 0.01, pile_overlap},
