@@ -440,5 +440,48 @@ TEST(EventRest, lines_of_free_balls_collapse_in_bounded_impacts_with_their_momen
   EXPECT_GE(collapsed, 12);  // not every start leads there
 }
 
+// Only the floor and the sides lose energy.  Without crowds of elastic balls this came to "impacts
+// follow each other without end".
+TEST(EventRest, ElasticBallsThatALossyFloorCarriesComeToRest) {
+  Scene scene = falling(1.5, 8, 1);
+  scene.effects.walls->restitution = 0.5;
+  Course course(scene, {ball(0.5, 1), ball(1, 2.5, -0.1), ball(0.5, 4.5, 0.1)});
+  const auto balls = course.at(60);
+  // A zigzag between the sides.
+  const double rise = std::sqrt(0.75);
+  std::vector<double> heights;
+  for (const Ball& each : balls) {
+    heights.push_back(each.position.y());
+    EXPECT_NEAR(std::abs(each.position.x() - 0.75), 0.25, 1e-4);
+    EXPECT_LE(each.velocity.norm(), 1e-3);
+  }
+  std::sort(heights.begin(), heights.end());
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(heights[static_cast<std::size_t>(k)], 0.5 + k * rise, 1e-4);
+  }
+  EXPECT_GT(course.measured().resting_contacts, 0U);
+}
+
+// Restitution 0 under which half of the impacts used to be elastic, by how they were rounded.
+TEST(EventRest, BallsThatLoseAllFlyOnTogether) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int k = 0; k < 200; ++k) {
+    Scene scene;
+    scene.box.width = scene.box.height = 40;
+    scene.effects.collisions = Collisions{0};
+    const double offset = 0.9 * unit(random);
+    const auto after =
+        Course(scene, {ball(10, 20, 1 + unit(random) / 2), ball(15, 20 + offset, -1)}).at(20);
+    const Vec2 r = after[1].position - after[0].position;
+    const Vec2 v = after[1].velocity - after[0].velocity;
+    // What is left of their relative motion was along the line of contact's normal before.
+    EXPECT_GE(r.dot(v), 0);
+    EXPECT_NEAR(v.norm(), std::abs(offset) * (after[0].velocity.x() + after[1].velocity.x() + 2),
+                1e-9)
+        << k;
+  }
+}
+
 }  // namespace
 }  // namespace carom

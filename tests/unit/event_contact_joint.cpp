@@ -316,9 +316,24 @@ TEST(EventJointImpact, BetweenAWallAndAHeavyBallCountsThePiBilliard) {
     Group group;
     group.bodies = {{{0, 0}, 1}, {{-1, 0}, std::pow(100.0, -k)}};
     group.contacts = {{0, kWall, {-1, 0}, 1}, {0, 1, {1, 0}, 1}};
-    EXPECT_EQ(group.resolve().impacts, expected[k]);
+    const auto report = group.resolve();
+    EXPECT_EQ(report.impacts + report.walls, expected[k]);
+    EXPECT_EQ(report.walls, expected[k] / 2);  // in turn, the balls first
     EXPECT_NEAR(energy(group), std::pow(100.0, k) / 2, 1e-12 * std::pow(100.0, k));
   }
+}
+
+// A ball that lies in a corner and is hit: it has two impacts, with the walls, and stays.
+TEST(EventJointImpact, CountsTheWallsOfACornerApart) {
+  const double s = std::sqrt(0.5);
+  Group group;
+  group.bodies = {{{0, 0}, 1}, {{-1, -1}, 1}};
+  group.contacts = {{0, kWall, {-1, 0}, 1}, {0, kWall, {0, -1}, 1}, {0, 1, {s, s}, 1}};
+  const auto report = group.resolve();
+  EXPECT_EQ(group.bodies[0].velocity, (V{0, 0}));
+  EXPECT_EQ(group.bodies[1].velocity, (V{1, 1}));
+  EXPECT_EQ(report.impacts, 2);
+  EXPECT_EQ(report.walls, 2);
 }
 
 TEST(EventJointImpact, InAHundredDigitsKeepsTheRacksEnergyToAllOfThem) {
