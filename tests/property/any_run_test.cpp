@@ -42,7 +42,7 @@ Scene any_scene() {
     for (int column = 0; column < columns; ++column) {
       Ball ball;
       ball.position = {column + 0.5, row + 0.5};
-      ball.radius = *rc::gen::element(0.5, 0.25, 0.1);
+      ball.radius = *rc::gen::element(0.45, 0.25, 0.1);
       ball.mass = *rc::gen::element(1.0, 1.0, 80.0, 0.05);
       ball.fixed = *rc::gen::inRange(0, 8) == 0;
       if (!ball.fixed) ball.velocity = {number(-4, 4), number(-4, 4)};

@@ -15,7 +15,8 @@ namespace carom::event {
 // is 0 and nothing accelerates it that way.  Dropped from h it rests at sqrt(2h/g)(1+e)/(1-e),
 // exactly at the wall, after about ln(2^55) / ln(1/e) hops; along the wall it glides on.  The same
 // straight above a fixed ball.  Seen from a ball that falls it accelerates: peg_time().  Where the
-// wall is elastic only a hop that rounding has made is over so soon, within 2^15 ticks.
+// wall is elastic, and only other impacts lose energy, hops do not shrink: there those within
+// 2^-12 sqrt(s/g) are none, s twice the radius; they are 2^-27 s high.
 //
 // Rule 2, collapse without a force (McNamara and Young, Phys. Fluids A 4 (1992) 496).  Two that
 // would part by less than 2^-95 of their distance in a tick take one normal velocity: they stay
@@ -53,8 +54,7 @@ inline constexpr double kCollapse = 0x1p15;
 /// Rule 1: leaving at v, pressed back by a, the hop is over before the clock moves.
 template <class S>
 bool bounces_out(const S& v, const S& a, const S& restitution, const S& resolution) {
-  const S shortest = resolution * (restitution < 1 ? 1 : kCollapse);
-  return a > 0 && 2 * v <= a * shortest;
+  return restitution < 1 && a > 0 && 2 * v <= a * resolution;
 }
 
 /// Rule 2: two that part by less than 2^this of their contact's distance in a tick stay together.
@@ -69,6 +69,11 @@ inline constexpr double kTouching = 0x1p-31;
 inline constexpr double kStep = 0x1p-5;
 inline constexpr double kShortly = 0x1p-12;
 inline constexpr double kNear = 0x1p-6;
+/// Rule 1, where what is bounced off is elastic: the hop is shorter than a contact of distance s.
+template <class S>
+bool barely_hops(const S& v, const S& a, const S& s) {
+  return a > 0 && 4 * v * v <= a * s * (kShortly * kShortly);
+}
 /// An instant with more contacts than this is one of a crowd.
 inline constexpr int kManyContacts = 16;
 

@@ -28,6 +28,11 @@ bool loses_energy(const Effects& effects) {
 // At the start or later: what is set while it runs is told by the script.
 bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
   if (loses_energy(scene.effects)) return true;
+  // Bouncing in a corner, against which gravity presses, loses to friction.
+  if (scene.effects.friction && scene.effects.gravity) {
+    const Vec2& g = scene.effects.gravity->acceleration;
+    if (g.x() != 0 && g.y() != 0) return true;
+  }
   for (const ScriptLine& line : scene.script) {
     const auto* set = std::get_if<command::SetEffects>(&line.command);
     if (set != nullptr && loses_energy(set->effects)) return true;

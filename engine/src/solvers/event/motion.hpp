@@ -140,6 +140,9 @@ class Motion {
 
  private:
   void add_carried_kinds() requires(P::kRests);
+  /// Rule 1: whether what leaves at v, pressed back by a, stays.
+  [[nodiscard]] bool stays_down(const S& v, const S& a, const S& restitution, const S& reach) const
+      requires(P::kRests);
   [[nodiscard]] S meeting_wait(const Disk& earlier, const Disk& later, const S& reach,
                                bool from_contact, At until) const requires(P::kRests);
   /// Whether the step of their crowd has seen to it that they do not meet before the next one.

@@ -29,6 +29,13 @@ void Motion<P>::add_carried_kinds() requires(P::kRests) {
 }
 
 template <class P>
+bool Motion<P>::stays_down(const S& v, const S& a, const S& restitution, const S& reach) const
+    requires(P::kRests) {
+  if (restitution < 1) return bounces_out(v, a, restitution, rules_.scale.resolution());
+  return can_rest(rules_) && barely_hops(v, a, reach);
+}
+
+template <class P>
 void Motion<P>::lean_on_walls(Disk& disk) const requires(P::kRests) {
   const Vec<S>& g = law_.pull();
   unsigned axes = 0;
@@ -41,8 +48,7 @@ void Motion<P>::lean_on_walls(Disk& disk) const requires(P::kRests) {
     S& v = axis == 0 ? disk.vx : disk.vy;
     const S away = a < 0 ? v : S(-v);
     if (x != stop || away < 0) continue;
-    if (away > 0 &&
-        !bounces_out(away, absolute(a), S(rules_.wall_restitution), rules_.scale.resolution())) {
+    if (away > 0 && !stays_down(away, absolute(a), S(rules_.wall_restitution), S(2 * radius))) {
       continue;
     }
     v = 0;
@@ -58,9 +64,8 @@ bool Motion<P>::lean_on_peg(Disk& disk, const Disk& peg) const requires(P::kRest
   const Vec<S>& g = law_.pull();
   if (!straight_up(r, v, g)) return false;
   const S away = root(S(v.x * v.x + v.y * v.y));
-  if (away > 0 && !bounces_out(away, pull_, S(rules_.restitution), rules_.scale.resolution())) {
-    return false;
-  }
+  const S reach = kind(disk).radius + kind(peg).radius;
+  if (away > 0 && !stays_down(away, pull_, S(rules_.restitution), reach)) return false;
   disk.vx = 0;
   disk.vy = 0;
   set_carried(disk, kLying);

@@ -38,10 +38,12 @@ struct BasicRules {
   }
 };
 
-/// Whether impacts lose energy, so that contacts can come to rest.
+/// Whether impacts lose energy, so that contacts can come to rest: of friction, what it takes from
+/// the hops along one wall when the ball hits another.
 template <class S>
 bool can_rest(const BasicRules<S>& rules) {
-  return rules.wall_restitution < 1 || (rules.collisions && rules.restitution < 1);
+  return rules.wall_restitution < 1 || (rules.collisions && rules.restitution < 1) ||
+         (rules.wall_friction > 0 && rules.gravity[0] != 0 && rules.gravity[1] != 0);
 }
 
 using Kind = BasicKind<double>;
