@@ -18,10 +18,6 @@ double number(double least, double most) {
   return least + (most - least) * *rc::gen::inRange(0, 1 << 20) * 0x1p-20;
 }
 
-double any_restitution() {
-  return *rc::gen::element(1.0, 0.9, 0.5, 0.0);
-}
-
 Scene any_scene() {
   const auto columns = *rc::gen::inRange(1, 6);
   const auto rows = *rc::gen::inRange(1, 6);
@@ -31,13 +27,19 @@ Scene any_scene() {
   scene.box.width = columns;
   scene.box.height = rows;
   scene.box.periodic[0] = columns > 3 && maybe();
-  scene.effects.walls = Walls{any_restitution()};
-  scene.effects.collisions = Collisions{any_restitution()};
   if (!maybe()) scene.effects.gravity = Gravity{{number(-5, 5), number(-10, 10)}};
-  if (maybe()) scene.effects.drag = Drag{number(0, 2)};
   if (maybe()) scene.effects.friction = Friction{number(0, 1), number(0, 1)};
   if (maybe()) scene.effects.attraction = Attraction{number(-2, 5), number(0.1, 1)};
   scene.solver.method = *rc::gen::element(Method::event, Method::overlap);
+  // What exact impacts do not come to an end with: carom-models(7), where event is not the method.
+  const bool exact = scene.solver.method == Method::event && !scene.effects.attraction;
+  const bool falls = scene.effects.gravity.has_value();
+  if (maybe() && !(exact && falls)) scene.effects.drag = Drag{number(0, 2)};
+  const auto restitution = [&] {
+    return exact ? *rc::gen::element(1.0, 0.9) : *rc::gen::element(1.0, 0.9, 0.5, 0.0);
+  };
+  scene.effects.walls = Walls{restitution()};
+  scene.effects.collisions = Collisions{restitution()};
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       Ball ball;

@@ -35,8 +35,8 @@ Scene any_scene() {
     const double side = axis == 0 ? scene.box.width : scene.box.height;
     scene.box.periodic[axis] = side > 6 && *rc::gen::arbitrary<bool>();
   }
-  scene.effects.collisions = Collisions{*rc::gen::element(1.0, 1.0, 0.9, 0.0)};
-  scene.effects.walls = Walls{*rc::gen::element(1.0, 1.0, 0.9, 0.5)};
+  scene.effects.collisions = Collisions{*rc::gen::element(1.0, 1.0, 0.9)};
+  scene.effects.walls = Walls{*rc::gen::element(1.0, 1.0, 0.9)};
   const bool lossless =
       scene.effects.collisions->restitution == 1 && scene.effects.walls->restitution == 1;
   if (*rc::gen::arbitrary<bool>()) scene.effects.gravity = Gravity{{number(-1, 1), number(-9, 9)}};

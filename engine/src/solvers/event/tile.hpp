@@ -59,8 +59,8 @@ struct Costs {
 /// are resolved together, by rules that do not see an order.
 ///
 /// Holds: for every pair, the earlier of the two balls' `meets` is not after their impact.
-/// Errors: std::runtime_error where impacts follow each other without time passing.
-/// Source: B. Lubachevsky, How to simulate billiards and similar systems, J. Comput. Phys. 94
+/// Errors: std::runtime_error where impacts follow each other without time passing, or next to
+/// none. Source: B. Lubachevsky, How to simulate billiards and similar systems, J. Comput. Phys. 94
 /// (1991) 255: one event a ball; A. Donev, S. Torquato, F. Stillinger, J. Comput. Phys. 202 (2005)
 /// 737: lists of neighbours that events renew.
 template <class P>
@@ -221,6 +221,8 @@ class Tile {
   mutable std::set<Time> ties_;  ///< when two impacts may share a ball
   Time instant_ = 0;             ///< of the last impact
   std::size_t at_once_ = 0;      ///< impacts at that instant
+  Time watched_from_ = 0;        ///< impacts are counted from here
+  std::uint64_t watched_ = 0;    ///< since then
 };
 
 }  // namespace carom::event

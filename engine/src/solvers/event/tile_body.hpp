@@ -51,6 +51,8 @@ void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<In
   ties_.clear();
   instant_ = now;
   at_once_ = 0;
+  watched_from_ = now;
+  watched_ = 0;
   if constexpr (P::kRests) start_resting(now);
   reached_ = now;
   start_agenda(now, plot.area());
@@ -167,6 +169,7 @@ void Tile<P>::rebase(At by) {
   }
   if (next_step_ != P::Clock::never()) next_step_ -= by;
   reached_ -= by;
+  watched_from_ -= by;
   instant_ = instant_ >= by ? Time(instant_ - by) : Time(-1);
   std::set<Time> ties;
   for (auto at = ties_.lower_bound(by); at != ties_.end(); ++at) ties.insert(*at - by);
