@@ -8,17 +8,16 @@
 
 #include "carom/scene_file.hpp"
 #include "carom/simulation.hpp"
+#include "support/drawn_number.hpp"
 #include "verify/runs.hpp"
 #include "verify/transform.hpp"
 
 namespace carom {
 namespace {
 
-constexpr double kTime = 3;
+using test::number;
 
-double number(double least, double most) {
-  return least + (most - least) * *rc::gen::inRange(0, 1 << 20) * 0x1p-20;
-}
+constexpr double kTime = 3;
 
 // Any combination of effects the method takes, some balls fixed, radii and masses mixed, in a box
 // of any kind about its centre.

@@ -49,21 +49,12 @@ void IntegratedSolver::find_resting() {
   const auto n = static_cast<std::uint32_t>(balls());
   const Balls& balls = state_.balls;
   if (collides() && effects_.collisions->restitution < 1) {
-    for (std::uint32_t i = 0; i < n; ++i) {
-      for (std::uint32_t j = i + 1; j < n; ++j) {
-        const Eigen::Index a = Balls::index(i);
-        const Eigen::Index b = Balls::index(j);
-        const double far = (balls.radius[a] + balls.radius[b]) * kClose;
-        double x = balls.position[0][b] - balls.position[0][a];
-        if (domain_.period[0] > 0) x = nearest_image(x, domain_.period[0]);
-        if (!(std::abs(x) < far) || (balls.fixed(i) && balls.fixed(j))) continue;
-        const effects::Member first = member(i);
-        const effects::Member second = member(j);
-        const LineOfCentres line = line_between(first, second);
-        if (!(line.distance < far)) continue;
-        const double closing = (second.velocity - first.velocity).dot(line.r);
-        if (std::abs(closing) <= line.length * rest_speed(i, j)) resting_.push_back({0, i, j});
-      }
+    for (const Meeting& near : near_pairs(kClose)) {
+      const effects::Member first = member(near.i);
+      const effects::Member second = member(near.j);
+      const LineOfCentres line = line_between(first, second);
+      const double closing = (second.velocity - first.velocity).dot(line.r);
+      if (std::abs(closing) <= line.length * rest_speed(near.i, near.j)) resting_.push_back(near);
     }
   }
   if (!effects_.walls || effects_.walls->restitution == 1) return;
@@ -104,13 +95,13 @@ void IntegratedSolver::settle() {
     if (put_inside(ball)) put_back(ball);
   }
   if (resting_.empty() || !collides()) return;
-  std::vector<Meeting> near = near_pairs();
+  // Putting two apart may push others together that have not met in this step.
+  constexpr double kNear = 1.25;  // of the sum of the radii
+  std::vector<Meeting> near = near_pairs(kNear);
   sweep(near, 64, [this](const Meeting& meeting) { return put_apart(meeting); });
 }
 
-// Putting two apart may push others together that have not met in this step.
-std::vector<IntegratedSolver::Meeting> IntegratedSolver::near_pairs() const {
-  constexpr double kNear = 1.25;  // of the sum of the radii
+std::vector<IntegratedSolver::Meeting> IntegratedSolver::near_pairs(double within) const {
   std::vector<Meeting> near;
   const Balls& balls = state_.balls;
   const auto n = static_cast<std::uint32_t>(balls.size());
@@ -118,7 +109,7 @@ std::vector<IntegratedSolver::Meeting> IntegratedSolver::near_pairs() const {
     for (std::uint32_t j = i + 1; j < n; ++j) {
       const Eigen::Index a = Balls::index(i);
       const Eigen::Index b = Balls::index(j);
-      const double far = (balls.radius[a] + balls.radius[b]) * kNear;
+      const double far = (balls.radius[a] + balls.radius[b]) * within;
       double x = balls.position[0][b] - balls.position[0][a];
       if (domain_.period[0] > 0) x = nearest_image(x, domain_.period[0]);
       if (!(std::abs(x) < far) || (balls.fixed(i) && balls.fixed(j))) continue;

@@ -124,7 +124,8 @@ class IntegratedSolver final : public Solver {
   bool stop(const Meeting& meeting);
   bool put_apart(const Meeting& meeting);
   bool put_inside(effects::Member& ball) const;
-  [[nodiscard]] std::vector<Meeting> near_pairs() const;
+  /// Balls whose centres are nearer than this times the sum of their radii, in their order.
+  [[nodiscard]] std::vector<Meeting> near_pairs(double within) const;
   [[nodiscard]] bool rests(const Meeting& meeting) const;
   [[nodiscard]] bool is_slow(const Meeting& meeting) const;
   /// What is too slow to bounce off another ball, or off a wall (i = j).
