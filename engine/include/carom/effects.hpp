@@ -63,6 +63,12 @@ inline bool has_collisions(const Effects& effects) {
   return effects.collisions && effects.collisions->on;
 }
 
+/// Whether impacts lose energy along the normal.
+inline bool loses_energy(const Effects& effects) {
+  return (effects.walls && effects.walls->restitution < 1) ||
+         (effects.collisions && effects.collisions->restitution < 1);
+}
+
 /// An effect as everybody names it: scenes, reports, messages, and the keys of `play`.
 template <class Effect>
 struct EffectEntry {

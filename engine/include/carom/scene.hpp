@@ -81,6 +81,7 @@ struct Continuation {
   double step_origin = 0;            ///< simulated time of step number 0 of the present step length
   std::uint64_t steps = 0;           ///< whole steps taken since `step_origin`
   std::optional<double> tick;        ///< of the clock of `event`, seconds: a power of two
+  bool rests = false;                ///< `event` looked for contacts that rest
   std::vector<SavedFlight> flights;  ///< of method `event`: of each ball, in order
 };
 
@@ -108,6 +109,9 @@ struct Scene {
 /// The scene's balls, then those of its fills, in order.
 /// Errors: SceneError where a fill does not find room.
 std::vector<Ball> populate(const Scene& scene);
+
+/// Whether its impacts lose energy along the normal, at the start or later by its script.
+bool loses_energy(const Scene& scene);
 
 /// The method a scene is computed with.
 struct MethodChoice {

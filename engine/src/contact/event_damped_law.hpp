@@ -46,6 +46,8 @@ struct DampedLaw {
     return damped_peg_time(r, v, gravity, s, rate, from_contact);
   }
   const S& pull(std::size_t axis) const { return axis == 0 ? gravity.x : gravity.y; }
+  const Vec<S>& pull() const { return gravity; }
+  DampedLaw under(const Vec<S>& pull) const { return {pull, rate}; }
   S push(std::size_t axis, const S& v) const { return multiply_add(S(-rate), v, pull(axis)); }
   const S& fading() const { return rate; }
 

@@ -23,7 +23,17 @@ struct Flight {
 // axis, h and v along that normal, and wall_arrival(), its normal velocity then; peg_wait(), when
 // it meets a fixed ball, where flights bend past it; pull(), what pulls it along an axis; push(),
 // how it accelerates there at some velocity, which then fades at the rate fading() and keeps its
-// sign. kStretches: when() does something, and gives no less than it is given.
+// sign; under(), the same law with another pull, where it bends. kStretches: when() does something,
+// and gives no less than it is given.
+
+/// The law of a ball that something carries along some axes: 1 for x, 2 for y.
+template <class Law>
+Law carried(const Law& law, unsigned axes) {
+  auto pull = law.pull();
+  if ((axes & 1U) != 0) pull.x = 0;
+  if ((axes & 2U) != 0) pull.y = 0;
+  return law.under(pull);
+}
 
 /// Uniform motion.
 template <class S>
@@ -42,7 +52,7 @@ struct StraightLaw {
   S push(std::size_t, const S&) const { return S(0); }
   S fading() const { return S(0); }
   Vec<S> pull() const { return {S(0), S(0)}; }
-  StraightLaw carried(unsigned) const { return {}; }
+  StraightLaw under(const Vec<S>&) const { return {}; }
 };
 
 /// Uniform acceleration, the same for every ball.
@@ -74,10 +84,7 @@ struct BallisticLaw {
   const S& push(std::size_t axis, const S&) const { return pull(axis); }
   S fading() const { return S(0); }
   const Vec<S>& pull() const { return gravity; }
-  /// The law of a ball that something carries along some axes: 1 for x, 2 for y.
-  BallisticLaw carried(unsigned axes) const {
-    return {{(axes & 1U) != 0 ? S(0) : gravity.x, (axes & 2U) != 0 ? S(0) : gravity.y}};
-  }
+  BallisticLaw under(const Vec<S>& pull) const { return {pull}; }
 
  private:
   S pull(std::size_t axis, int side) const { return side * pull(axis); }

@@ -15,7 +15,7 @@ namespace carom::event {
 // is 0 and nothing accelerates it that way.  Dropped from h it rests at sqrt(2h/g)(1+e)/(1-e),
 // exactly at the wall, after about ln(2^55) / ln(1/e) hops; along the wall it glides on.  The same
 // straight above a fixed ball.  Seen from a ball that falls it accelerates: peg_time().  Where the
-// wall is elastic, and only other impacts lose energy, hops do not shrink: there those within
+// wall is elastic, and only other impacts or drag lose energy, hops do not end: there those within
 // 2^-12 sqrt(s/g) are none, s twice the radius; they are 2^-27 s high.
 //
 // Rule 2, collapse without a force (McNamara and Young, Phys. Fluids A 4 (1992) 496).  Two that
@@ -33,10 +33,13 @@ namespace carom::event {
 //   - after which they would meet again within a step, as gravity presses them together,
 //   - or shortly after both have been hit: within 2^-12 sqrt(s/g), and 2^-12 of s: contacts last
 //     so long (Luding and McNamara, Granular Matter 1 (1998) 113).
-// Where only walls lose energy, one of the two must be carried already.
-// A harder impact on a crowd is resolved for all of it at once: by the least impulses that stop
-// the approach, given 1 + e times, and again without e.  A ball that nothing in the crowd carries
-// leaves it.  A crowd gains no energy, counted without what gravity has given it ahead of its fall.
+// Where collisions are elastic, something else must take energy from the two: one of them is
+// carried already; or, where walls lose energy or there is drag, one is within 2^-16 of its
+// diameter of a wall and both have been hit within 2^-16 instead of 2^-12; or, where there is drag,
+// one is fixed and the other comes at less than 2^-12 sqrt(s g). A harder impact on a crowd is
+// resolved for all of it at once: by the least impulses that stop the approach, given 1 + e times,
+// and again without e.  A ball that nothing in the crowd carries leaves it.  A crowd gains no
+// energy, counted without what gravity has given it ahead of its fall.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are: forces can carry them.  A ball on a single fixed one rests only straight
@@ -48,32 +51,37 @@ namespace carom::event {
 // What there is to save of this is, ball by ball, the axes along which something carries it, and
 // whether it is in a crowd, and rests; the rest follows from the flights.
 
-/// Ticks within which both have been hit before, where balls collapse.
-inline constexpr double kCollapse = 0x1p15;
-
 /// Rule 1: leaving at v, pressed back by a, the hop is over before the clock moves.
 template <class S>
 bool bounces_out(const S& v, const S& a, const S& restitution, const S& resolution) {
   return restitution < 1 && a > 0 && 2 * v <= a * resolution;
 }
 
-/// Rule 2: two that part by less than 2^this of their contact's distance in a tick stay together.
-inline constexpr int kTogether = -95;
-
-/// Balls that touch are so near, as a part of their contact's distance: nearer than what
-/// neighbours are listed for.
-inline constexpr double kTouching = 0x1p-31;
-
-/// Rule 3: the longest step, as a part of the fall; how long a contact lasts; how near the balls
-/// of a crowd are that a step looks at together, as a part of their contact's distance.
-inline constexpr double kStep = 0x1p-5;
+/// Rules 1 and 3: how long a contact lasts, and how far its balls part, as a part of its distance
+/// and of the time of a fall through it.
 inline constexpr double kShortly = 0x1p-12;
-inline constexpr double kNear = 0x1p-6;
+/// The same for elastic balls, whose energy no contact may take.
+inline constexpr double kBriefly = 0x1p-16;
+
 /// Rule 1, where what is bounced off is elastic: the hop is shorter than a contact of distance s.
 template <class S>
 bool barely_hops(const S& v, const S& a, const S& s) {
   return a > 0 && 4 * v * v <= a * s * (kShortly * kShortly);
 }
+
+/// Rule 2: two that part by less than 2^this of their contact's distance in a tick stay together;
+/// ticks within which both have been hit before, where balls collapse.
+inline constexpr int kTogether = -95;
+inline constexpr double kCollapse = 0x1p15;
+
+/// Balls that touch are so near, as a part of their contact's distance: nearer than what
+/// neighbours are listed for.
+inline constexpr double kTouching = 0x1p-31;
+
+/// Rule 3: the longest step, as a part of the fall; how near the balls of a crowd are that a step
+/// looks at together, as a part of their contact's distance.
+inline constexpr double kStep = 0x1p-5;
+inline constexpr double kNear = 0x1p-6;
 /// An instant with more contacts than this is one of a crowd.
 inline constexpr int kManyContacts = 16;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <variant>
 
 namespace carom::scene {
 
@@ -18,20 +17,6 @@ double largest_radius(const Scene& scene) {
 // Attraction leaves no closed-form flight: there method `event` integrates, whatever else is named.
 bool flies_in_closed_form(const Scene& scene) {
   return !scene.effects.attraction;
-}
-
-bool lossy(const Effects& effects) {
-  return (effects.walls && effects.walls->restitution < 1) ||
-         (effects.collisions && effects.collisions->restitution < 1);
-}
-
-// At the start, or later by its script.
-bool lossy(const Scene& scene) {
-  return lossy(scene.effects) ||
-         std::any_of(scene.script.begin(), scene.script.end(), [](const ScriptLine& line) {
-           const auto* set = std::get_if<command::SetEffects>(&line.command);
-           return set != nullptr && lossy(set->effects);
-         });
 }
 
 // Round a shorter one two balls could touch on both sides at once.
@@ -57,11 +42,11 @@ constexpr std::array kUnavailable{
     Unavailable{"/solver/method", kEvent,
                 [](const Scene& s) {
                   // A collapse without gravity is rare enough to be told when it comes.
-                  return flies_in_closed_form(s) && s.effects.gravity && lossy(s) &&
-                         (s.effects.drag || s.solver.digits > 16);
+                  return flies_in_closed_form(s) && s.effects.gravity && loses_energy(s) &&
+                         s.solver.digits > 16;
                 },
-                "\"event\" under gravity with drag, or in more than 16 digits, cannot take a "
-                "restitution below 1 in this version, use \"overlap\""},
+                "\"event\" under gravity cannot take a restitution below 1 in more than 16 "
+                "digits: use 16, or \"overlap\""},
     Unavailable{"/solver/method", kEvent, short_periodic_axis,
                 "\"event\" needs periodic axes longer than four radii of the largest ball, use "
                 "\"overlap\""},

@@ -10,12 +10,10 @@ namespace {
 bool will_pile_up(const Scene& scene) {
   const Effects& effects = scene.effects;
   if (!effects.gravity || !effects.collisions) return false;
-  const bool loses =
-      effects.collisions->restitution < 1 || (effects.walls && effects.walls->restitution < 1);
   std::size_t moving = 0;
   for (const Ball& ball : scene.balls) moving += ball.fixed ? 0 : 1;
   for (const Fill& fill : scene.fills) moving += fill.count;
-  return loses && moving > 1;
+  return loses_energy(effects) && moving > 1;
 }
 
 }  // namespace

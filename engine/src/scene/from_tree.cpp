@@ -192,6 +192,7 @@ Continuation take_continuation(const Value& object) {
   take(object, "step_origin", continuation.step_origin);
   take(object, "steps", continuation.steps);
   if (const Value* tick = object.find("tick")) continuation.tick = number(*tick);
+  take(object, "rests", continuation.rests);
   const Value* flights = object.find("flights");
   if (flights != nullptr && flights->kind == Value::Kind::list) {
     for (const Value& flight : flights->items()) {

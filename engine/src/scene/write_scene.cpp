@@ -195,6 +195,7 @@ std::string continuation(const Continuation& continuation) {
       .put("step_origin", number(continuation.step_origin))
       .put("steps", fmt::format("{}", continuation.steps));
   if (continuation.tick) line.put("tick", number(*continuation.tick));
+  if (continuation.rests) line.put("rests", "true");
   if (!continuation.flights.empty()) {
     line.put("flights", list(continuation.flights, flight));
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "solvers/event/tile.hpp"
@@ -33,6 +34,27 @@ class EventSolver final : public Solver {
 
   /// `choice`: how the plane is shared, where that is not left to the solver.
   EventSolver(const Scene& scene, std::vector<Ball> balls, const Choice& choice = {});
+  /// Goes on from where another has stopped, by other physics of the same numbers; what that one
+  /// had counted is counted here.
+  template <class Other>
+  explicit EventSolver(EventSolver<Other>& other)
+      : domain_((other.land(), other.domain_)),
+        effects_(other.effects_),
+        balls_(std::move(other.balls_)),
+        flights_(std::move(other.flights_)),
+        left_(std::move(other.left_)),
+        scale_(other.scale_),
+        again_(other.again_),
+        before_(other.before_),
+        costs_before_(other.costs_before_),
+        turns_before_(std::move(other.turns_before_)),
+        now_{other.now_.era, other.now_.ticks},
+        target_(now_) {
+    start();
+    for (const event::Index slot : slot_) {
+      if (motion().carried(tile_->disks()[slot]) != 0) ++before_.resting_contacts;
+    }
+  }
 
   [[nodiscard]] std::vector<Phase> phases() override;
   void set_workers(std::size_t) override {}
@@ -49,10 +71,15 @@ class EventSolver final : public Solver {
   [[nodiscard]] Vec2 momentum() const override;
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;
+  /// Whether it has stopped before the time aimed at, as balls come to rest: SettlingSolver.
+  [[nodiscard]] bool settles() const { return tile_ && tile_->settles(); }
 
  private:
   using S = typename P::Scalar;
   using Disk = typename P::Disk;
+
+  template <class Other>
+  friend class EventSolver;
 
   /// A moment: whole eras, and ticks of the present one.
   struct Moment {
@@ -67,7 +94,7 @@ class EventSolver final : public Solver {
   static constexpr bool kShares = event::kIsDouble<S> && !P::kSpins && !P::kRests;
 
   [[nodiscard]] std::vector<Phase> phases_of_windows() requires kShares;
-  [[nodiscard]] bool shares() const;
+  [[nodiscard]] bool shares(const event::BasicRules<S>& rules) const;
   [[nodiscard]] std::size_t aim_windows() requires kShares;
   [[nodiscard]] std::size_t finish(std::size_t phase) requires kShares;
   void sort_again();

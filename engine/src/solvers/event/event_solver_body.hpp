@@ -204,10 +204,15 @@ template <class P>
 void EventSolver<P>::advance() {
   while (now_.era < target_.era) {
     tile_->advance_to(P::Clock::era());
+    if (tile_->settles()) break;
     tile_->rebase(P::Clock::era());
     now_ = {now_.era + 1, 0};
   }
-  tile_->advance_to(target_.ticks);
+  if (!tile_->settles()) tile_->advance_to(target_.ticks);
+  if (tile_->settles()) {
+    now_.ticks = tile_->reached();
+    return;
+  }
   now_ = target_;
   sort_again();
 }
@@ -224,14 +229,11 @@ void EventSolver<P>::sort_again() {
 
 /// Whether the balls are many enough, and nothing comes to rest or is left at a fixed ball.
 template <class P>
-bool EventSolver<P>::shares() const {
+bool EventSolver<P>::shares(const event::BasicRules<S>& rules) const {
   if (choice_.parts < 2 || one_tile_ || !kShares) return false;
   if (balls_.size() < choice_.least_balls || !effects_.collisions) return false;
-  if (effects_.collisions->restitution < 1) return false;
   // Parts do not count turns.
-  const auto [gx, gy] = event::gravity_of(effects_);
-  if ((gx != 0 && domain_.period[0] > 0) || (gy != 0 && domain_.period[1] > 0)) return false;
-  if (effects_.walls && effects_.walls->restitution < 1) return false;
+  if (event::can_rest(rules) || rules.falls_round(0) || rules.falls_round(1)) return false;
   return !P::Law::kBends ||
          std::none_of(balls_.begin(), balls_.end(), [](const Ball& ball) { return ball.fixed; });
 }
@@ -400,7 +402,7 @@ void EventSolver<P>::start() {
     disks[slot_[i]].kind += static_cast<event::Index>(carried_[i] * rules.kinds.size());
   }
   if constexpr (kShares) {
-    if (shares()) {
+    if (shares(rules)) {
       tile_.reset();
       windows_ = std::make_unique<event::Windows<P>>(rules, choice_);
       windows_->reset(std::move(disks), now_.ticks);
@@ -451,7 +453,8 @@ void EventSolver<P>::remove(std::size_t ball) {
 // A new field or drag bends the flights: they start anew where they are.
 template <class P>
 void EventSolver<P>::set(const Effects& effects) {
-  const Turns with_present = turns(true);
+  const bool bends = effects.gravity || effects.drag;
+  const Turns with_present = bends ? turns(true) : Turns{};
   land();
   if (effects.walls) {
     effects_.walls = effects.walls;
@@ -462,7 +465,7 @@ void EventSolver<P>::set(const Effects& effects) {
   }
   if (effects.collisions) effects_.collisions = effects.collisions;
   if (effects.friction) effects_.friction = effects.friction;
-  if (effects.gravity || effects.drag) {
+  if (bends) {
     turns_before_ = with_present;
     for (Disk& disk : flights_) {
       if (disk.start != P::Clock::ever()) motion().carry(disk, now_.ticks);
@@ -567,6 +570,7 @@ void EventSolver<P>::save(Scene& scene) const {
   scene.solver.method = Method::event;
   continuation.step_origin = continuation.time;
   continuation.tick = static_cast<double>(scale_.tick());
+  continuation.rests = P::kRests;
   std::vector<std::size_t> number(slot_.size());
   for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = i;
   for (std::size_t i = 0; i < slot_.size(); ++i) {

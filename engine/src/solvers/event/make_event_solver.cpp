@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <utility>
-#include <variant>
 
 #include "solvers/event/event_solver.hpp"
+#include "solvers/event/settling_solver.hpp"
 #include "solvers/event/wide_physics.hpp"
 #include "state/domain.hpp"
 
@@ -20,27 +20,24 @@ std::unique_ptr<Solver> make(const Scene& scene, std::vector<Ball> balls) {
   return std::make_unique<EventSolver<P>>(scene, std::move(balls));
 }
 
-bool loses_energy(const Effects& effects) {
-  return (effects.walls && effects.walls->restitution < 1) ||
-         (effects.collisions && effects.collisions->restitution < 1);
+std::unique_ptr<Solver> make_settling(const Scene& scene, std::vector<Ball> balls) {
+  if (scene.effects.friction) {
+    return std::make_unique<SettlingSolver<event::DampedRubbing, event::DampedToRestRubbing>>(
+        scene, std::move(balls));
+  }
+  return std::make_unique<SettlingSolver<event::Damped, event::DampedToRest>>(scene,
+                                                                              std::move(balls));
 }
 
-// At the start or later: what is set while it runs is told by the script.
+// From the start: what is set while it runs is told by the script.
 bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
-  if (loses_energy(scene.effects)) return true;
-  // Bouncing in a corner, against which gravity presses, loses to friction.
-  if (scene.effects.friction && scene.effects.gravity) {
-    const Vec2& g = scene.effects.gravity->acceleration;
-    if (g.x() != 0 && g.y() != 0) return true;
-  }
-  for (const ScriptLine& line : scene.script) {
-    const auto* set = std::get_if<command::SetEffects>(&line.command);
-    if (set != nullptr && loses_energy(set->effects)) return true;
-  }
-  if (scene.continuation) {
-    for (const SavedFlight& flight : scene.continuation->flights) {
-      if (flight.carried != 0) return true;
-    }
+  if (scene.continuation && scene.continuation->rests) return true;
+  if (loses_energy(scene)) return true;
+  if (!scene.effects.gravity) return false;
+  const Vec2& g = scene.effects.gravity->acceleration;
+  if (scene.effects.friction &&
+      event::rubs_in_corners(scene.effects.friction->walls, {g.x(), g.y()})) {
+    return true;
   }
   // Without losses only what lies still from the start rests, and what fits exactly between walls.
   const Domain domain(scene.box, scene.effects.walls.has_value());
@@ -49,17 +46,16 @@ bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
     return ball.velocity.x() == 0 || ball.velocity.y() == 0 ||
            domain.lowest(axis, ball.radius) == domain.highest(axis, ball.radius);
   };
-  return scene.effects.gravity && std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
-           for (std::size_t axis = 0; axis < 2; ++axis) {
-             const double x = ball.position[static_cast<Eigen::Index>(axis)];
-             if (domain.solid(axis) && lies(ball, axis) &&
-                 (x == domain.lowest(axis, ball.radius) ||
-                  x == domain.highest(axis, ball.radius))) {
-               return true;
-             }
-           }
-           return false;
-         });
+  return std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const double x = ball.position[static_cast<Eigen::Index>(axis)];
+      if (domain.solid(axis) && lies(ball, axis) &&
+          (x == domain.lowest(axis, ball.radius) || x == domain.highest(axis, ball.radius))) {
+        return true;
+      }
+    }
+    return false;
+  });
 }
 
 }  // namespace
@@ -75,12 +71,16 @@ std::unique_ptr<Solver> make_event_solver(const Scene& scene, std::vector<Ball> 
     default:
       break;
   }
-  if (may_rest(scene, balls) && !scene.effects.drag) {
-    if (scene.effects.gravity) return make<event::FallingToRest>(scene, std::move(balls));
-    return make<event::FreeToRest>(scene, std::move(balls));
+  const bool falls = scene.effects.gravity.has_value();
+  const bool rests = may_rest(scene, balls);
+  if (scene.effects.drag) {
+    if (falls && rests) return make<event::DampedToRest>(scene, std::move(balls));
+    if (falls) return make_settling(scene, std::move(balls));
+    return make<event::Damped>(scene, std::move(balls));
   }
-  if (scene.effects.drag) return make<event::Damped>(scene, std::move(balls));
-  if (scene.effects.gravity) return make<event::Falling>(scene, std::move(balls));
+  if (rests && falls) return make<event::FallingToRest>(scene, std::move(balls));
+  if (rests) return make<event::FreeToRest>(scene, std::move(balls));
+  if (falls) return make<event::Falling>(scene, std::move(balls));
   return make<event::Free>(scene, std::move(balls));
 }
 

@@ -41,6 +41,9 @@ class Motion {
   using Rules = BasicRules<S>;
   /// Gravity can press balls together that lose energy.
   static constexpr bool kHopping = P::kRests && P::Law::kBends;
+  /// Drag makes every hop shorter, and contacts that rest are not looked for.
+  static constexpr bool kSettles = !P::kRests && P::Law::kBends && P::Law::kStretches;
+  static constexpr bool kPresses = P::kRests || kSettles;
 
   explicit Motion(Rules rules);
 
@@ -83,7 +86,7 @@ class Motion {
   /// What a ball flies by.
   [[nodiscard]] decltype(auto) law_of(const Disk& disk) const {
     if constexpr (P::kRests) {
-      return law_.carried(std::min(kind(disk).carried, kLying));
+      return event::carried(law_, std::min(kind(disk).carried, kLying));
     } else {
       return (law_);
     }
@@ -97,6 +100,11 @@ class Motion {
   [[nodiscard]] Wall wall(const Disk& disk, const Vec<S>& at, Index wall) const;
   /// When it meets this wall.
   [[nodiscard]] Time wall_meets(const Disk& disk, Index wall) const;
+
+  /// Whether it leaves a wall for a hop that rule 1 would not let it do.
+  [[nodiscard]] bool barely_leaves(const Disk& disk, Index wall) const requires kSettles;
+  /// Whether an impact of the two is one of ever more in ever less time; one may be fixed.
+  [[nodiscard]] bool squeezed(const Disk& a, const Disk& b, At now) const requires kPresses;
 
   // Contacts that rest, where P::kRests: motion_rest_body.hpp.
   /// Nothing accelerates it along these axes: 1 for x, 2 for y; from kLying on at all.
@@ -144,11 +152,16 @@ class Motion {
   [[nodiscard]] bool stays_down(const S& v, const S& a, const S& restitution, const S& reach) const
       requires(P::kRests);
   [[nodiscard]] S meeting_wait(const Disk& earlier, const Disk& later, const S& reach,
-                               bool from_contact, At until) const requires(P::kRests);
+                               bool from_contact, At until) const
+      requires(P::kRests&& P::Law::kBends);
   /// Whether the step of their crowd has seen to it that they do not meet before the next one.
   [[nodiscard]] bool stepped_together(const Disk& a, const Disk& b) const requires(P::kRests);
-  [[nodiscard]] bool just_hit(const Disk& disk, const S& reach, const S& speed, At now) const
-      requires(P::kRests);
+  /// Something carries it that can: a wall, or a crowd.
+  [[nodiscard]] bool lies_on_something(const Disk& disk) const requires kPresses;
+  /// Whether it all but touches a wall.
+  [[nodiscard]] bool is_at_wall(const Disk& disk, At now) const requires kPresses;
+  [[nodiscard]] bool just_hit(const Disk& disk, const S& reach, const S& speed, At now,
+                              const S& part) const requires kPresses;
   [[nodiscard]] Rubbing<S> rubbing(const Disk& disk) const requires P::kSpins;
   /// Whether it goes less than a quick bound says within `wait`, and so far it is from all that it
   /// can meet alone.

@@ -34,6 +34,10 @@ Motion<P>::Motion(Rules rules)
   }
   largest_radius_ = static_cast<double>(largest);
   plain_kinds_ = rules_.kinds.size();
+  if constexpr (kPresses) {
+    const Vec<S>& g = law_.pull();
+    pull_ = root(S(g.x * g.x + g.y * g.y));
+  }
   if constexpr (P::kRests) add_carried_kinds();
 }
 

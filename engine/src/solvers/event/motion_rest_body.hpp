@@ -12,8 +12,6 @@ namespace carom::event {
 
 template <class P>
 void Motion<P>::add_carried_kinds() requires(P::kRests) {
-  const Vec<S>& g = law_.pull();
-  pull_ = root(S(g.x * g.x + g.y * g.y));
   for (unsigned axes = 1; axes <= kJoins; ++axes) {
     for (std::size_t k = 0; k < plain_kinds_; ++k) {
       Kind kind = rules_.kinds[k];
@@ -33,6 +31,14 @@ bool Motion<P>::stays_down(const S& v, const S& a, const S& restitution, const S
     requires(P::kRests) {
   if (restitution < 1) return bounces_out(v, a, restitution, rules_.scale.resolution());
   return can_rest(rules_) && barely_hops(v, a, reach);
+}
+
+template <class P>
+bool Motion<P>::barely_leaves(const Disk& disk, Index wall) const requires kSettles {
+  const std::size_t axis = (wall - kWalls) / 2;
+  const int side = (wall - kWalls) % 2 == 0 ? 1 : -1;
+  return barely_hops(S(axis == 0 ? disk.vx : disk.vy), S(-side * law_.pull(axis)),
+                     S(2 * kind(disk).radius));
 }
 
 template <class P>
@@ -107,28 +113,59 @@ bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const requires(P:
 }
 
 template <class P>
-bool Motion<P>::just_hit(const Disk& disk, const S& reach, const S& speed, At now) const
-    requires(P::kRests) {
+bool Motion<P>::just_hit(const Disk& disk, const S& reach, const S& speed, At now,
+                         const S& part) const requires kPresses {
   if (fixed(disk)) return true;
   const S age = rules_.scale.seconds(now - disk.start);
-  return age * age * pull_ <= kShortly * kShortly * reach && speed * age <= kShortly * reach;
+  return age * age * pull_ <= part * part * reach && speed * age <= part * reach;
+}
+
+template <class P>
+bool Motion<P>::lies_on_something(const Disk& disk) const requires kPresses {
+  return !fixed(disk) && carried(disk) != 0;
+}
+
+template <class P>
+bool Motion<P>::is_at_wall(const Disk& disk, At now) const requires kPresses {
+  if (fixed(disk)) return false;
+  const Vec<S> at = wrapped(place(disk, now));
+  for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
+    if (!room_.solid((wall - kWalls) / 2)) continue;
+    if (!(this->wall(disk, at, wall).gap > 2 * kind(disk).radius * kBriefly)) return true;
+  }
+  return false;
+}
+
+template <class P>
+bool Motion<P>::squeezed(const Disk& a, const Disk& b, At now) const requires kPresses {
+  const bool loses = rules_.restitution < 1 || lies_on_something(a) || lies_on_something(b);
+  const bool on_fixed = fixed(a) || fixed(b);
+  const S reach = kind(a).radius + kind(b).radius;
+  const S part = loses || on_fixed ? kShortly : kBriefly;
+  const S still = 0;  // most have not been hit of late, whatever their speed
+  if (!just_hit(a, reach, still, now, part) || !just_hit(b, reach, still, now, part)) return false;
+  const Vec<S> v = velocity(b, now) - velocity(a, now);
+  const S speed = -sharp_dot(way(place(a, now), place(b, now)), v) / reach;
+  if (!just_hit(a, reach, speed, now, part) || !just_hit(b, reach, speed, now, part)) return false;
+  if (loses) return true;
+  // Elastic ones that touch pass a blow on within an instant.
+  if (a.start == now || b.start == now) return false;
+  if (on_fixed) return rules_.drag_rate > 0 && speed * speed <= part * part * reach * pull_;
+  return (rules_.drag_rate > 0 || rules_.wall_restitution < 1) &&
+         (is_at_wall(a, now) || is_at_wall(b, now));
 }
 
 template <class P>
 bool Motion<P>::clings(const Disk& a, const Disk& b, const Vec<S>& r, At now) const
     requires(P::kRests) {
-  // Elastic balls stay on those that a lossy wall carries.
-  if (rules_.restitution == 1 && (fixed(a) || carried(a) == 0) && (fixed(b) || carried(b) == 0)) {
-    return false;
-  }
   const Vec<S> v = velocity(b, now) - velocity(a, now);
   const S distance = root(S(r.x * r.x + r.y * r.y));
   const S speed = -sharp_dot(r, v) / distance;
   // What comes straight down on a fixed ball is a ball on a floor.
   if (fixed(b) && !crowded(a) && straight_up(-r, v, law_.pull())) return false;
   if (fixed(a) && !crowded(b) && straight_up(r, v, law_.pull())) return false;
-  const S reach = kind(a).radius + kind(b).radius;
-  if (just_hit(a, reach, speed, now) && just_hit(b, reach, speed, now)) return true;
+  if (squeezed(a, b, now)) return true;
+  if (rules_.restitution == 1 && !lies_on_something(a) && !lies_on_something(b)) return false;
   const auto carried = [this](const Disk& disk) { return fixed(disk) || this->carried(disk) != 0; };
   if ((crowded(a) && carried(b)) || (carried(a) && crowded(b))) return speed <= speed_of_step_;
   const auto pull_on = [this](const Disk& disk) {
@@ -140,13 +177,15 @@ bool Motion<P>::clings(const Disk& a, const Disk& b, const Vec<S>& r, At now) co
 
 template <class P>
 bool Motion<P>::clings_to_wall(const Disk& disk, const S& speed, At now) const requires(P::kRests) {
-  return speed <= speed_of_step_ || just_hit(disk, S(2 * kind(disk).radius), speed, now);
+  return speed <= speed_of_step_ ||
+         just_hit(disk, S(2 * kind(disk).radius), speed, now, S(kShortly));
 }
 
 // One of the two may be carried: then they accelerate as seen from each other.
 template <class P>
 auto Motion<P>::meeting_wait(const Disk& earlier, const Disk& later, const S& reach,
-                             bool from_contact, At until) const -> S requires(P::kRests) {
+                             bool from_contact, At until) const -> S
+    requires(P::kRests&& P::Law::kBends) {
   const auto& law = law_of(earlier);
   const S elapsed = rules_.scale.seconds(later.start - earlier.start);
   Relative<S> relative = relative_at_later_start(law, flight(earlier), elapsed, flight(later));
@@ -161,8 +200,8 @@ auto Motion<P>::meeting_wait(const Disk& earlier, const Disk& later, const S& re
     const S far = (reach + (speed + pull_ * wait / 2) * wait) * 1.0625;
     if (relative.r.x * relative.r.x + relative.r.y * relative.r.y > far * far) return never<S>();
   }
-  if (pull.x == 0 && pull.y == 0) return pair_time(relative.r, relative.v, reach);
-  return peg_time(relative.r, relative.v, pull, reach, from_contact);
+  if (pull.x == 0 && pull.y == 0) return law.when(pair_time(relative.r, relative.v, reach));
+  return law.under(pull).peg_wait(relative.r, relative.v, reach, from_contact);
 }
 
 }  // namespace carom::event

@@ -47,6 +47,7 @@ using Falling = Physics<double, BallisticLaw>;
 using Damped = Physics<double, DampedLaw>;
 using FreeToRest = Physics<double, StraightLaw, true>;
 using FallingToRest = Physics<double, BallisticLaw, true>;
+using DampedToRest = Physics<double, DampedLaw, true>;
 
 /// The same physics with friction.
 template <class P>
@@ -60,5 +61,6 @@ using FallingRubbing = RubbingOf<Falling>::Type;
 using DampedRubbing = RubbingOf<Damped>::Type;
 using FreeToRestRubbing = RubbingOf<FreeToRest>::Type;
 using FallingToRestRubbing = RubbingOf<FallingToRest>::Type;
+using DampedToRestRubbing = RubbingOf<DampedToRest>::Type;
 
 }  // namespace carom::event

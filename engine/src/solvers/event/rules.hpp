@@ -38,12 +38,18 @@ struct BasicRules {
   }
 };
 
-/// Whether impacts lose energy, so that contacts can come to rest: of friction, what it takes from
-/// the hops along one wall when the ball hits another.
+/// Friction takes from the hops along one wall when the ball hits another that gravity presses it
+/// to.
+inline bool rubs_in_corners(double wall_friction, const std::array<double, 2>& gravity) {
+  return wall_friction > 0 && gravity[0] != 0 && gravity[1] != 0;
+}
+
+/// Whether energy is lost, so that contacts can come to rest.
 template <class S>
 bool can_rest(const BasicRules<S>& rules) {
+  const bool falls = rules.gravity[0] != 0 || rules.gravity[1] != 0;
   return rules.wall_restitution < 1 || (rules.collisions && rules.restitution < 1) ||
-         (rules.wall_friction > 0 && rules.gravity[0] != 0 && rules.gravity[1] != 0);
+         (rules.drag_rate > 0 && falls) || rubs_in_corners(rules.wall_friction, rules.gravity);
 }
 
 using Kind = BasicKind<double>;

@@ -95,6 +95,9 @@ class Tile {
   /// How often each flight since `reset` was brought back round a periodic axis that gravity pulls
   /// along; empty for other axes.
   [[nodiscard]] const Turns& turns() const { return turns_; }
+  /// Where Motion<P>::kSettles: the balls come to rest, and this tile has stopped at `reached`.
+  [[nodiscard]] bool settles() const { return settles_; }
+  [[nodiscard]] At reached() const { return reached_; }
   [[nodiscard]] std::size_t bytes() const;
   /// From a sample of the events, scaled to all.
   [[nodiscard]] Costs costs() const;
@@ -148,6 +151,9 @@ class Tile {
   void look_again(Index i, At now);
   void count_turns(Index i, At now);
   void watch(At now);
+  /// Where Motion<P>::kSettles: after an impact with a wall, or before one of two balls.
+  void watch_hop(Index i, Index wall);
+  void watch_squeeze(Index i, Index j, At now);
 
   void note_alone(Index i, const Disk& before, Index partner, const Disk& partner_before,
                   At now) const;
@@ -223,6 +229,7 @@ class Tile {
   std::size_t at_once_ = 0;      ///< impacts at that instant
   Time watched_from_ = 0;        ///< impacts are counted from here
   std::uint64_t watched_ = 0;    ///< since then
+  bool settles_ = false;
 };
 
 }  // namespace carom::event

@@ -118,12 +118,16 @@ void Tile<P>::advance_to(At until) {
       }
     }
   }
-  while (const Entry* next = agenda_.first(until, wanted, prepare)) {
+  Time end = until;
+  while (const Entry* next = agenda_.first(end, wanted, prepare)) {
     const Entry entry = *next;
     agenda_.drop_first();
     if (wanted(entry)) take(entry);
+    if constexpr (Motion<P>::kSettles) {
+      if (settles_) end = std::min(end, Time(entry.time));
+    }
   }
-  reached_ = until;
+  reached_ = end;
 }
 
 // Asks for the memory that the events of a bucket will look at, in the order in which one needs the

@@ -31,6 +31,21 @@ void Tile<P>::watch(At now) {
 }
 
 template <class P>
+void Tile<P>::watch_hop([[maybe_unused]] Index i, [[maybe_unused]] Index wall) {
+  if constexpr (Motion<P>::kSettles) {
+    settles_ = settles_ || motion_.barely_leaves(disks_[i], wall);
+  }
+}
+
+template <class P>
+void Tile<P>::watch_squeeze([[maybe_unused]] Index i, [[maybe_unused]] Index j,
+                            [[maybe_unused]] At now) {
+  if constexpr (Motion<P>::kSettles) {
+    settles_ = settles_ || motion_.squeezed(disks_[i], disks_[j], now);
+  }
+}
+
+template <class P>
 void Tile<P>::count_turns(Index i, At now) {
   const Vec<S> came = motion_.place(counted_[i], now);
   const auto count = [&](std::size_t axis, const S& from, const S& to) {
@@ -60,8 +75,10 @@ void Tile<P>::meet_alone(Index i, Index partner, At now) {
     ++counts_.ball_wall;
     if (!left_.empty()) left_[i] = kUnknown;
     if constexpr (P::kRests) lean(i);
+    watch_hop(i, partner);
     return;
   }
+  watch_squeeze(i, partner, now);
   overlap_ = motion_.strike(disks_[i], disks_[partner], now);
   counts_.max_overlap = std::max(counts_.max_overlap, overlap_);
   ++counts_.ball_ball;

@@ -134,7 +134,8 @@ void Tile<P>::note_instant(const Instant& instant, At now, Index ball_ball, Inde
 // Whether one of a crowd touches, two cling to each other, or they are too many.
 template <class P>
 bool Tile<P>::is_of_crowd(const Instant& instant, At now) const requires(P::kRests) {
-  if (instant.contacts.size() > kManyContacts) return true;
+  // Elastic ones part again.
+  if (motion_.rules().restitution < 1 && instant.contacts.size() > kManyContacts) return true;
   for (const Index m : instant.members) {
     if (motion_.crowded(disks_[m])) return true;
   }
@@ -187,6 +188,11 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     return;
   }
 
+  for (const Contact<S>& contact : instant.contacts) {
+    if (contact.b == kWall) continue;
+    watch_squeeze(instant.members[static_cast<std::size_t>(contact.a)],
+                  instant.members[static_cast<std::size_t>(contact.b)], now);
+  }
   const std::vector<Body<S>> before = instant.bodies;
   ++counts_.joint_impacts;
   const JointReport report = resolve(instant);
@@ -224,6 +230,7 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     if (disk.start != now) continue;
     const S at = motion_.wall(disk, {disk.x, disk.y}, stop.wall).stop;
     (stop.wall - kWalls < 2 ? disk.x : disk.y) = at;
+    watch_hop(instant.members[stop.member], stop.wall);
   }
   if (!left_.empty()) {
     for (const Contact<S>& contact : instant.contacts) {
