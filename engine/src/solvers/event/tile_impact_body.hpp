@@ -41,7 +41,8 @@ template <class P>
 void Tile<P>::watch_squeeze([[maybe_unused]] Index i, [[maybe_unused]] Index j,
                             [[maybe_unused]] At now) {
   if constexpr (Motion<P>::kSettles) {
-    settles_ = settles_ || motion_.squeezed(disks_[i], disks_[j], now);
+    if (settles_ || !(motion_.pull() > 0)) return;
+    settles_ = motion_.squeezed(disks_[i], disks_[j], now);
   }
 }
 
