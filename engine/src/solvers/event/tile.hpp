@@ -19,6 +19,11 @@
 
 namespace carom::event {
 
+// So many impacts within so short a time are none of losses that add up, nor of balls that are
+// squeezed: those are 4e5 at most for a restitution of 0.9999.
+inline constexpr std::uint64_t kManyImpacts = 1000000;
+inline constexpr std::int64_t kShortTicks = std::int64_t{1} << 30;
+
 /// What has happened so far.
 struct Counts {
   std::uint64_t ball_ball = 0;

@@ -114,6 +114,7 @@ void Tile<P>::advance_to(At until) {
         next_step_ = P::Clock::never();
         step_crowds(at);
       } else {
+        reached_ = until;
         return;
       }
     }
@@ -173,7 +174,8 @@ void Tile<P>::rebase(At by) {
   }
   if (next_step_ != P::Clock::never()) next_step_ -= by;
   reached_ -= by;
-  watched_from_ -= by;
+  // Long ago is long ago, however many eras: the ticks of all of them are no number.
+  watched_from_ = watched_from_ >= by ? Time(watched_from_ - by) : Time(Time(-1) - kShortTicks);
   instant_ = instant_ >= by ? Time(instant_ - by) : Time(-1);
   std::set<Time> ties;
   for (auto at = ties_.lower_bound(by); at != ties_.end(); ++at) ties.insert(*at - by);

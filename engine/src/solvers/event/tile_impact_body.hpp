@@ -8,11 +8,6 @@
 
 namespace carom::event {
 
-// So many impacts within so short a time are none of losses that add up, nor of balls that are
-// squeezed: those are 4e5 at most for a restitution of 0.9999.
-inline constexpr std::uint64_t kManyImpacts = 1000000;
-inline constexpr std::int64_t kShortTicks = std::int64_t{1} << 30;
-
 template <class P>
 void Tile<P>::watch(At now) {
   if (now != instant_) {
