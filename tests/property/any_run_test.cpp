@@ -1,8 +1,12 @@
 // Runs of any combination of effects, by either method: whatever the losses, the run comes to its
-// end and every ball is inside its walls.  A failure prints the seed, and RC_PARAMS="seed=..."
-// draws the same scenes again.
+// end and every ball is inside its walls, or, of one in a thousand exact ones, the run says that
+// there is no end to its impacts: carom-models(7), where event is not the method.  A failure prints
+// the seed, and RC_PARAMS="seed=..." draws the same scenes again.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include <stdexcept>
+#include <string>
 
 #include "carom/scene_file.hpp"
 #include "carom/simulation.hpp"
@@ -30,11 +34,11 @@ Scene any_scene() {
   if (maybe()) scene.effects.friction = Friction{number(0, 1), number(0, 1)};
   if (maybe()) scene.effects.attraction = Attraction{number(-2, 5), number(0.1, 1)};
   scene.solver.method = *rc::gen::element(Method::event, Method::overlap);
-  // What exact impacts do not come to an end with: carom-models(7), where event is not the method.
+  // Exact balls that lose much of their approach meet without end too often.
   const bool exact = scene.solver.method == Method::event && !scene.effects.attraction;
   if (maybe()) scene.effects.drag = Drag{number(0, 2)};
   const auto restitution = [&] {
-    return exact ? *rc::gen::element(1.0, 0.9, 0.5) : *rc::gen::element(1.0, 0.9, 0.5, 0.0);
+    return exact ? *rc::gen::element(1.0, 0.9) : *rc::gen::element(1.0, 0.9, 0.5, 0.0);
   };
   scene.effects.walls = Walls{restitution()};
   scene.effects.collisions = Collisions{restitution()};
@@ -62,6 +66,10 @@ RC_GTEST_PROP(AnyRun, EndsWithEveryBallInsideItsWalls, ()) {
     balls = hard::run(scene, kTime).balls;
   } catch (const SceneError&) {
     RC_DISCARD("not for this method");
+  } catch (const std::runtime_error& error) {
+    RC_ASSERT(std::string(error.what()).starts_with("impacts follow each other without end"));
+    RC_ASSERT(scene.solver.method == Method::event && !scene.effects.attraction);
+    RC_DISCARD("it says that it has no end");
   }
   const Domain domain(scene.box, true);
   for (const Ball& ball : balls) {
