@@ -143,7 +143,8 @@ TEST_F(Cost, OfExactEventsIsSharedAmongTheEffectsThatDoThem) {
     sum += seconds;
   }
   EXPECT_LE(sum, told["wall_seconds"].get<double>());
-  for (const auto& [name, cost] : report({"walls"}, "event", "20")["effects"].items()) {
+  const json of_walls = report({"walls"}, "event", "20");
+  for (const auto& [name, cost] : of_walls["effects"].items()) {
     EXPECT_GT(cost["seconds"], 0) << name;
   }
 }
