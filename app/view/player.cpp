@@ -344,11 +344,9 @@ void Player::change_method() {
   scene.continuation->step_origin = simulation.time();
   scene.solver.method = method;
   if (method == Method::overlap) scene.solver.digits = 16;
-  if (method == Method::event) {
-    scene.solver.method.reset();
-    const MethodChoice choice = choose_method(scene);
-    if (choice.method != method) return say("method overlap stays: " + choice.why);
-    scene.solver.method = method;
+  const std::string why_not = obstacle(scene, method);
+  if (!why_not.empty()) {
+    return say(fmt::format("method {} stays: {}", method_name(simulation.method()), why_not));
   }
   session_.emplace(std::move(scene));
   scene_.solver.digits = session_->scene().solver.digits;

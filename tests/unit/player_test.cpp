@@ -387,5 +387,29 @@ TEST(Player, TheMethodChangesWhereTheRunStands) {
   EXPECT_TRUE(stage.at(2.8).says("2.8")) << "time goes on\n" << stage.at(2.8).text;
 }
 
+TEST(Player, TheMethodChangesWhereItCanNotOnlyWhereItIsTheBetterOne) {
+  Scene pile = two_balls();
+  pile.effects.gravity.emplace().acceleration = {0, -1};
+  pile.effects.walls.emplace().restitution = 0.5;
+  Stage stage;
+  stage.key(0.1, 'm');
+  stage.key(1, 'q');
+  Player(pile, stage).play();
+  EXPECT_TRUE(stage.at(0.6).says("method event")) << stage.at(0.6).text;
+}
+
+TEST(Player, TheMethodStaysWhereTheOtherCannotTakeTheSceneAndSaysWhy) {
+  Scene narrow = two_balls();
+  narrow.box.height = 1.5;
+  narrow.box.periodic[1] = true;
+  for (Ball& ball : narrow.balls) ball.position.y() = 0.75;
+  Stage stage;
+  stage.key(0.1, 'm');
+  stage.key(1, 'q');
+  Player(narrow, stage).play();
+  EXPECT_TRUE(stage.at(0.6).says("method overlap stays: \"event\" needs periodic axes"))
+      << stage.at(0.6).text;
+}
+
 }  // namespace
 }  // namespace carom

@@ -120,6 +120,9 @@ struct MethodChoice {
 };
 MethodChoice choose_method(const Scene& scene);
 
+/// What keeps a method from taking the scene, in words and with the remedy; empty: nothing does.
+std::string obstacle(const Scene& scene, Method method);
+
 /// The worker threads a scene of `balls` balls gets: as the scene says; by default one per ball up
 /// to 256 balls, above that one per core.
 std::size_t worker_count(const Scene& scene, std::size_t balls);

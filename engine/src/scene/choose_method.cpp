@@ -25,9 +25,14 @@ MethodChoice choose_method(const Scene& scene) {
     return {Method::overlap,
             "balls that lose energy pile up under gravity, which event pays dearly"};
   }
-  const std::vector<Problem> obstacles = scene::find_unavailable(scene, Method::event);
-  if (obstacles.empty()) return {Method::event, "it can take the scene"};
-  return {Method::overlap, "event cannot take " + obstacles.front().place};
+  const std::string why_not = obstacle(scene, Method::event);
+  if (why_not.empty()) return {Method::event, "it can take the scene"};
+  return {Method::overlap, why_not};
+}
+
+std::string obstacle(const Scene& scene, Method method) {
+  const std::vector<Problem> obstacles = scene::find_unavailable(scene, method);
+  return obstacles.empty() ? std::string() : obstacles.front().message;
 }
 
 }  // namespace carom
