@@ -131,7 +131,7 @@ S squared_gap(const Vec<S>& r, const S& s) {
 
 /// a.b to u of itself and u^2 of |a||b|: one rounding better than dot() where little cancels.
 template <class S>
-S sharp_dot(const Vec<S>& a, const Vec<S>& b) {
+[[gnu::always_inline]] inline S sharp_dot(const Vec<S>& a, const Vec<S>& b) {
   if constexpr (kIsDouble<S>) {
     const double p = a.x * b.x;
     const double q = a.y * b.y;

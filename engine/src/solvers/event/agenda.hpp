@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "solvers/event/disk.hpp"
@@ -52,7 +54,8 @@ class Agenda {
       if (Clock::steps(until - origin_, shift_) <= present_) return nullptr;
       open_next(wanted);
       prepare(std::span<const Entry>(ordered_),
-              std::span<const Entry>(buckets_[static_cast<std::size_t>(present_ + 1) & mask_]));
+              std::span<const Entry>(buckets_[static_cast<std::size_t>(present_ + 1) & mask_]),
+              std::span<const Entry>(buckets_[static_cast<std::size_t>(present_ + 2) & mask_]));
     }
     const bool from_late =
         !late_.empty() && (next_ == ordered_.size() || late_.front().time < ordered_[next_].time);
@@ -83,13 +86,42 @@ class Agenda {
     ++present_;
     if (present_ + static_cast<std::int64_t>(buckets_.size()) / 2 >= year_end_) next_year(wanted);
     std::vector<Entry>& bucket = buckets_[static_cast<std::size_t>(present_) & mask_];
-    ordered_.clear();
+    ordered_.resize(bucket.size());
     next_ = 0;
-    for (const Entry& entry : bucket) {
-      if (wanted(entry)) ordered_.push_back(entry);
+    std::size_t kept = 0;
+    for (const Entry& entry : bucket) {  // without a branch: which are wanted cannot be foreseen
+      ordered_[kept] = entry;
+      kept += wanted(entry) ? 1U : 0U;
     }
+    ordered_.resize(kept);
     bucket.clear();
-    std::sort(ordered_.begin(), ordered_.end(),
+    put_in_order(ordered_);
+  }
+
+  /// By time; of few entries each is put where as many lie before it as are earlier, which takes
+  /// more comparisons than to sort, and no branch.
+  static void put_in_order(std::vector<Entry>& entries) {
+    constexpr std::size_t kFew = 128;
+    const std::size_t n = entries.size();
+    if constexpr (std::is_integral_v<Time>) {
+      if (n <= kFew) {
+        std::array<Entry, kFew> few;
+        std::array<Time, kFew> times;
+        std::array<Time, kFew> places{};
+        for (std::size_t k = 0; k < n; ++k) {
+          few[k] = entries[k];
+          times[k] = entries[k].time;
+        }
+        for (std::size_t j = 0; j < n; ++j) {
+          const Time time = times[j];
+          for (std::size_t k = 0; k <= j; ++k) places[k] += time < times[k] ? 1 : 0;
+          for (std::size_t k = j + 1; k < n; ++k) places[k] += time <= times[k] ? 1 : 0;
+        }
+        for (std::size_t k = 0; k < n; ++k) entries[static_cast<std::size_t>(places[k])] = few[k];
+        return;
+      }
+    }
+    std::sort(entries.begin(), entries.end(),
               [](const Entry& a, const Entry& b) { return a.time < b.time; });
   }
 

@@ -39,6 +39,11 @@ typedef std::int64_t WholeTwoLanes __attribute__((vector_size(16)));
 [[gnu::always_inline]] inline bool any(WholeLanes a) {
   return _mm256_movemask_pd(std::bit_cast<Lanes>(a)) != 0;
 }
+/// Whether it is true in more than one.
+[[gnu::always_inline]] inline bool several(WholeLanes a) {
+  const int true_in = _mm256_movemask_pd(std::bit_cast<Lanes>(a));
+  return (true_in & (true_in - 1)) != 0;
+}
 #else
 [[gnu::always_inline]] inline Lanes fused(Lanes a, Lanes b, Lanes c) {
   return Lanes{std::fma(a[0], b[0], c[0]), std::fma(a[1], b[1], c[1]), std::fma(a[2], b[2], c[2]),
@@ -50,12 +55,20 @@ typedef std::int64_t WholeTwoLanes __attribute__((vector_size(16)));
 [[gnu::always_inline]] inline bool any(WholeLanes a) {
   return (a[0] | a[1] | a[2] | a[3]) != 0;
 }
+[[gnu::always_inline]] inline bool several(WholeLanes a) {
+  return a[0] + a[1] + a[2] + a[3] < -1;
+}
 #endif
 [[gnu::always_inline]] inline Lanes all(double a) {
   return Lanes{a, a, a, a};
 }
 [[gnu::always_inline]] inline WholeLanes all(std::int64_t a) {
   return WholeLanes{a, a, a, a};
+}
+[[gnu::always_inline]] inline std::int64_t least(WholeLanes a) {
+  const std::int64_t low = a[0] < a[1] ? a[0] : a[1];
+  const std::int64_t high = a[2] < a[3] ? a[2] : a[3];
+  return low < high ? low : high;
 }
 [[gnu::always_inline]] inline Lanes absolute(Lanes a) {
   constexpr auto kRest = std::numeric_limits<std::int64_t>::max();
@@ -72,17 +85,19 @@ typedef std::int64_t WholeTwoLanes __attribute__((vector_size(16)));
   return std::bit_cast<TwoLanes>(std::bit_cast<WholeTwoLanes>(a) ^ signs);
 }
 
-/// Lane l of the four results holds number l of each row: (x, y, vx, vy) of four balls becomes four
-/// x, four y, four vx, four vy.
-[[gnu::always_inline]] inline void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
-  const Lanes ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-  const Lanes ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Lanes cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-  const Lanes cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
-  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
-  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+template <class All>
+struct Unzipped {
+  All first;
+  All second;
+};
+/// The first numbers of four pairs, and the second ones.
+template <class All, class Pair>
+[[gnu::always_inline]] inline Unzipped<All> unzip(const Pair& a, const Pair& b, const Pair& c,
+                                                  const Pair& d) {
+  const All even = __builtin_shufflevector(a, c, 0, 1, 2, 3);
+  const All odd = __builtin_shufflevector(b, d, 0, 1, 2, 3);
+  return {__builtin_shufflevector(even, odd, 0, 4, 2, 6),
+          __builtin_shufflevector(even, odd, 1, 5, 3, 7)};
 }
 
 /// The difference of two coordinates, the shorter way round an axis of length `period`; both are

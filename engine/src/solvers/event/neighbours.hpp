@@ -44,12 +44,12 @@ class Neighbours {
   /// Whether the ball is in its square.
   [[nodiscard]] bool in_square(const typename P::Disk& disk, Index i, typename P::At now) const;
   /// A new square and list for a ball; gives the neighbours it did not have before.
-  [[nodiscard]] const std::vector<Index>& renew(const Disks& disks, Index i, typename P::At now) {
+  [[nodiscard]] std::span<const Index> renew(const Disks& disks, Index i, typename P::At now) {
     return renew(disks, i, motion_.at(disks[i], now));
   }
   /// The same where it is known where the ball is and how fast.
-  [[nodiscard]] const std::vector<Index>& renew(const Disks& disks, Index i,
-                                                const Flight<typename P::Scalar>& here);
+  [[nodiscard]] std::span<const Index> renew(const Disks& disks, Index i,
+                                             const Flight<typename P::Scalar>& here);
   /// When the ball leaves its square, or a little before.
   [[nodiscard, gnu::always_inline]] typename P::Time leaving(const typename P::Disk& disk, Index i,
                                                              typename P::At now) const {
@@ -102,6 +102,7 @@ class Neighbours {
   std::array<double, 2> per_length_{1, 1};
   std::vector<Index> found_;
   std::vector<Index> fresh_;
+  std::uint32_t fresh_count_ = 0;
   std::vector<Index> gone_;
 };
 

@@ -203,33 +203,29 @@ void Neighbours<P>::list(const Disks& disks, Index i) {
   }
   stamp_ += 2;
   // Who is new and who is gone cannot be foreseen either.
-  gone_.clear();
-  lists_.each(i, [&](Index j) {
-    seen_[j] = stamp_;
-    gone_.push_back(j);
-  });
-  fresh_.resize(found);
-  std::uint32_t fresh = 0;
+  const std::uint32_t had = lists_.copy(i, gone_);
+  for (std::uint32_t n = 0; n < had; ++n) seen_[gone_[n]] = stamp_;
+  if (fresh_.size() < found) fresh_.resize(found_.size());
+  fresh_count_ = 0;
   for (std::uint32_t n = 0; n < found; ++n) {
     const Index j = found_[n];
-    fresh_[fresh] = j;
-    fresh += seen_[j] == stamp_ ? 0U : 1U;
+    fresh_[fresh_count_] = j;
+    fresh_count_ += seen_[j] == stamp_ ? 0U : 1U;
     seen_[j] = stamp_ + 1;
   }
-  fresh_.resize(fresh);
   std::uint32_t gone = 0;
-  for (const Index j : gone_) {
+  for (std::uint32_t n = 0; n < had; ++n) {
+    const Index j = gone_[n];
     gone_[gone] = j;
     gone += seen_[j] == stamp_ ? 1U : 0U;
   }
-  gone_.resize(gone);
-  for (const Index j : fresh_) lists_.add(j, i);
-  for (const Index j : gone_) lists_.remove(j, i);
+  for (std::uint32_t n = 0; n < fresh_count_; ++n) lists_.add(fresh_[n], i);
+  for (std::uint32_t n = 0; n < gone; ++n) lists_.remove(gone_[n], i);
   lists_.assign(i, found_.data(), found);
 }
 
 template <class P>
-const std::vector<Index>& Neighbours<P>::renew(const Disks& disks, Index i, const Flight<S>& here) {
+std::span<const Index> Neighbours<P>::renew(const Disks& disks, Index i, const Flight<S>& here) {
   set_square(disks[i], i, here);
   const std::uint32_t cell = cell_of(centres_[i]);
   if (cell != cell_[i]) {
@@ -238,7 +234,7 @@ const std::vector<Index>& Neighbours<P>::renew(const Disks& disks, Index i, cons
     cell_[i] = cell;
   }
   list(disks, i);
-  return fresh_;
+  return {fresh_.data(), fresh_count_};
 }
 
 template <class P>

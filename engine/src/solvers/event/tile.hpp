@@ -144,7 +144,8 @@ class Tile {
   void announce(Index i) { agenda_.add(disks_[i].due(), i); }
   void start_agenda(At now, double area);
   void take(const Entry& entry);
-  void fetch(std::span<const Entry> entries, std::span<const Entry> after) const;
+  void fetch(std::span<const Entry> entries, std::span<const Entry> next,
+             std::span<const Entry> after_next) const;
 
   // What events cost: tile_cost_body.hpp.
   void time_event(Index i, At now);

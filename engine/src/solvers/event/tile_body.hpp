@@ -10,7 +10,7 @@
 namespace carom::event {
 
 // Entries that a bucket of the agenda should hold: enough to fetch what they need ahead of time.
-inline constexpr double kPerBucket = 24;
+inline constexpr double kPerBucket = 64;
 
 template <class P>
 Tile<P>::Tile(BasicRules<S> rules) : motion_(std::move(rules)) {}
@@ -85,7 +85,7 @@ void Tile<P>::start_agenda(At now, double area) {
   const double rate = 4 * n * speed * across;
   const Time width =
       rate > 0 ? motion_.rules().scale.ticks(kPerBucket / rate) : P::Clock::longest_flight();
-  agenda_.reset(now, width, std::clamp<std::size_t>(disks_.size() / 16, 16, 4096));
+  agenda_.reset(now, width, std::clamp<std::size_t>(disks_.size() / 64, 16, 4096));
 }
 
 template <class P>
@@ -100,8 +100,9 @@ void Tile<P>::take(const Entry& entry) {
 template <class P>
 void Tile<P>::advance_to(At until) {
   const auto wanted = [this](const Entry& entry) { return disks_[entry.ball].due() == entry.time; };
-  const auto prepare = [this](std::span<const Entry> entries, std::span<const Entry> after) {
-    fetch(entries, after);
+  const auto prepare = [this](std::span<const Entry> entries, std::span<const Entry> next,
+                              std::span<const Entry> after_next) {
+    fetch(entries, next, after_next);
   };
   if constexpr (P::kRests) {
     for (;;) {
@@ -131,34 +132,33 @@ void Tile<P>::advance_to(At until) {
   reached_ = end;
 }
 
-// Asks for the memory that the events of a bucket will look at, in the order in which one needs the
-// other, so that a hundred fetches run at once instead of one after the other.
+// Asks for the memory that the events of the next buckets will look at, in the order in which one
+// needs the other, so that a hundred fetches run at once instead of one after the other.
 template <class P>
-void Tile<P>::fetch(std::span<const Entry> entries, std::span<const Entry> after) const {
+void Tile<P>::fetch(std::span<const Entry> entries, std::span<const Entry> next,
+                    std::span<const Entry> after_next) const {
   constexpr std::size_t kInCache = 4000;
   if (disks_.size() < kInCache || !motion_.rules().collisions) return;
-  for (const Entry& entry : after) {
+  for (const Entry& entry : after_next) {
     __builtin_prefetch(&disks_[entry.ball]);
     neighbours_.fetch(entry.ball);
   }
   const auto meets_ball = [](const Disk& disk, const Entry& entry) {
     return disk.partner < kFirstMark && disk.meets == entry.time;
   };
-  for (const Entry& entry : entries) {
-    const Disk& disk = disks_[entry.ball];
-    if (!meets_ball(disk, entry)) continue;
-    __builtin_prefetch(&disks_[disk.partner]);
-    neighbours_.fetch(disk.partner);
-  }
   const auto fetch_listed = [this](Index i) {
     const auto& node = neighbours_.lists().first(i);
     for (std::uint32_t n = 0; n < node.count; ++n) __builtin_prefetch(&disks_[node.item[n]]);
   };
-  for (const Entry& entry : entries) {
+  for (const Entry& entry : next) {
     const Disk& disk = disks_[entry.ball];
     fetch_listed(entry.ball);
-    if (meets_ball(disk, entry)) fetch_listed(disk.partner);
+    if (meets_ball(disk, entry)) neighbours_.fetch(disk.partner);
     if (disk.leaves == entry.time) neighbours_.fetch_around(entry.ball);
+  }
+  for (const Entry& entry : entries) {
+    const Disk& disk = disks_[entry.ball];
+    if (meets_ball(disk, entry)) fetch_listed(disk.partner);
   }
 }
 

@@ -162,7 +162,7 @@ void Tile<P>::next_event(Index i, At now) {
   ++counts_.renewals;
   if (journal_ != nullptr) journal_->note_renewal(i);
   const Flight<S> here = motion_.at(disks_[i], now);
-  const std::vector<Index>& fresh = neighbours_.renew(disks_, i, here);
+  const std::span<const Index> fresh = neighbours_.renew(disks_, i, here);
   Meeting<P> best{disks_[i].meets, kUnknown};
   look_at(i, fresh.data(), static_cast<std::uint32_t>(fresh.size()), now, best);
   disks_[i].leaves = neighbours_.leaving(disks_[i], i, here, now);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "solvers/event/flight_lanes.hpp"
 #include "solvers/event/pair_lanes.hpp"
 #include "solvers/event/tile.hpp"
@@ -10,7 +12,9 @@ template <class P>
 void Tile<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
                             Meeting<P>& best) const requires kIsDouble<S> {
   const Disk& me = disks_[i];
-  const auto row_of = [](const Disk& disk) { return Lanes{disk.x, disk.y, disk.vx, disk.vy}; };
+  const auto place_of = [](const Disk& disk) { return TwoLanes{disk.x, disk.y}; };
+  const auto velocity_of = [](const Disk& disk) { return TwoLanes{disk.vx, disk.vy}; };
+  const auto times_of = [](const Disk& disk) { return WholeTwoLanes{disk.start, disk.meets}; };
   const auto radius_of = [&](const Disk* disk) { return motion_.kind(*disk).radius; };
   // What the loop does not change, out of the reach of what it calls.
   const typename P::Law law = motion_.law();
@@ -28,19 +32,24 @@ void Tile<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, A
   const Vec<double> my_place{me.x, me.y};
   const Vec<double> my_velocity{me.vx, me.vy};
   const WholeLanes my_start = all(me.start);
+  // Each lane keeps the first it sees: which of them is first of all cannot be foreseen.
+  WholeLanes soonest = all(best.time);
+  WholeLanes partners = all(std::int64_t{kUnknown});
   for (std::uint32_t from = 0; from < count; from += kLanes) {
     // A lane without a ball holds the ball itself, which it does not approach.
+    Index ball[kLanes];
     const Disk* disk[kLanes];
     for (std::uint32_t l = 0; l < kLanes; ++l) {
-      disk[l] = &disks_[from + l < count ? others[from + l] : i];
+      const Index other = others[std::min(from + l, count - 1)];
+      ball[l] = from + l < count ? other : i;
+      disk[l] = &disks_[ball[l]];
     }
-    Lanes x = row_of(*disk[0]);
-    Lanes y = row_of(*disk[1]);
-    Lanes vx = row_of(*disk[2]);
-    Lanes vy = row_of(*disk[3]);
-    transpose(x, y, vx, vy);
-    const WholeLanes start{disk[0]->start, disk[1]->start, disk[2]->start, disk[3]->start};
-    const WholeLanes meets{disk[0]->meets, disk[1]->meets, disk[2]->meets, disk[3]->meets};
+    const auto [x, y] = unzip<Lanes>(place_of(*disk[0]), place_of(*disk[1]), place_of(*disk[2]),
+                                     place_of(*disk[3]));
+    const auto [vx, vy] = unzip<Lanes>(velocity_of(*disk[0]), velocity_of(*disk[1]),
+                                       velocity_of(*disk[2]), velocity_of(*disk[3]));
+    const auto [start, meets] = unzip<WholeLanes>(times_of(*disk[0]), times_of(*disk[1]),
+                                                  times_of(*disk[2]), times_of(*disk[3]));
 
     // Both as they are at the later of the two starts: only the earlier flight has moved by then.
     const WholeLanes later = start > my_start ? start : my_start;
@@ -58,10 +67,11 @@ void Tile<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, A
     Lanes wait = pair_times(r.dx, r.dy, r.dvx, r.dvy, reach);
     if constexpr (P::Law::kStretches) {
       // What is too late without it need not be known.
-      const Lanes least = wait * per_second * (1 - 0x1p-30);
+      const Lanes straight = wait * per_second * (1 - 0x1p-30);
       const WholeLanes early =
-          later + __builtin_convertvector(least < longest ? least : zero, WholeLanes);
-      const WholeLanes wanted = (least < longest) & (early <= meets) & (early <= all(best.time));
+          later + __builtin_convertvector(straight < longest ? straight : zero, WholeLanes);
+      const WholeLanes wanted =
+          (straight < longest) & (early <= meets) & (early <= all(least(soonest)));
       if (!any(wanted)) continue;
       wait = when(law, wait, wanted);
     }
@@ -69,23 +79,25 @@ void Tile<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, A
     WholeLanes at = later + __builtin_convertvector(wait < longest ? wait : zero, WholeLanes);
     at = at > now ? at : all(now);
     at = wait < longest ? at : never;
-    const WholeLanes tie = (at == meets) & (at < never);
+    const WholeLanes free = at < meets;
+    const WholeLanes tie = ((at == meets) | (free & (at == soonest))) & (at < never);
     if (any(tie)) {
       for (std::uint32_t l = 0; l < kLanes; ++l) {
-        if (tie[l] != 0 && disk[l]->partner != i) note_tie(at[l]);
+        if (tie[l] != 0 && (free[l] != 0 || disk[l]->partner != i)) note_tie(at[l]);
       }
     }
-    at = at < meets ? at : never;
-    if (!any((at <= all(best.time)) & (at < never))) continue;
-    for (std::uint32_t l = 0; l < kLanes; ++l) {
-      if (at[l] > best.time) continue;
-      if (at[l] < best.time) {
-        best = {at[l], others[from + l]};
-      } else if (at[l] != kNever) {
-        note_tie(at[l]);
-      }
-    }
+    const WholeLanes sooner = free & (at < soonest);
+    soonest = sooner ? at : soonest;
+    partners = sooner ? WholeLanes{ball[0], ball[1], ball[2], ball[3]} : partners;
   }
+  const std::int64_t first = least(soonest);
+  std::int64_t partner = partners[0];
+  for (std::uint32_t l = 1; l < kLanes; ++l) partner = soonest[l] == first ? partners[l] : partner;
+  const bool found = first < best.time;
+  const WholeLanes firsts = (soonest == all(first)) & all(std::int64_t{found ? -1 : 0});
+  if (several(firsts)) note_tie(first);
+  best.time = found ? first : best.time;
+  best.partner = found ? static_cast<Index>(partner) : best.partner;
 }
 
 }  // namespace carom::event
