@@ -69,7 +69,8 @@ class Neighbours {
     __builtin_prefetch(&lists_.first(i));
     __builtin_prefetch(&centres_[i]);
   }
-  void fetch_around(Index i) const;
+  void fetch_cells(Index i) const;
+  void fetch_search(Index i) const;  ///< once the cells and its list are there
 
  private:
   using S = typename P::Scalar;
@@ -87,6 +88,8 @@ class Neighbours {
   [[nodiscard]] std::uint32_t gather(std::uint32_t cell);
   [[nodiscard]] std::uint32_t keep_near(const Disks& disks, Index i, std::uint32_t candidates);
   void list(const Disks& disks, Index i);
+  template <class Visit>
+  void each_cell_around(Index i, Visit visit) const;
 
   const Motion<P>& motion_;
   std::array<double, 2> periods_;
@@ -94,8 +97,6 @@ class Neighbours {
   double skin_ = 0;
   HugeVector<Centre> centres_;
   HugeVector<std::uint32_t> cell_;
-  HugeVector<std::uint32_t> seen_;  ///< a mark on each ball, while a list is renewed
-  std::uint32_t stamp_ = 0;
   Lists lists_;
   ShortLists<6> cells_;
   std::array<std::uint32_t, 2> count_{1, 1};  ///< columns and rows of cells

@@ -7,6 +7,7 @@
 #include "solvers/event/exit_lanes.hpp"
 #include "solvers/event/lanes.hpp"
 #include "solvers/event/neighbours.hpp"
+#include "solvers/event/word_search.hpp"
 
 namespace carom::event {
 
@@ -43,8 +44,6 @@ void Neighbours<P>::reset(const Disks& disks, typename P::At now, const Plot& pl
   const std::size_t slots = std::max<std::size_t>(n, plot.slots);
   centres_.resize(slots);
   cell_.resize(slots);
-  seen_.assign(slots, 0);
-  stamp_ = 0;
   lists_.reset(slots);
   cells_.reset(std::size_t{count_[0]} * count_[1]);
   for (Index i = 0; i < n; ++i) {
@@ -158,7 +157,7 @@ std::uint32_t Neighbours<P>::gather(std::uint32_t cell) {
 // Without branches: which of the candidates are near cannot be foreseen.
 template <class P>
 std::uint32_t Neighbours<P>::keep_near(const Disks& disks, Index i, std::uint32_t candidates) {
-  if (found_.size() < candidates + kLanes) found_.resize(candidates + 64);
+  if (found_.size() < candidates + kWords) found_.resize(candidates + 64);
   Index* const list = found_.data();
   for (std::uint32_t l = 0; l < kLanes; ++l) list[candidates + l] = i;
   const Centre at = centres_[i];
@@ -197,31 +196,28 @@ std::uint32_t Neighbours<P>::keep_near(const Disks& disks, Index i, std::uint32_
 template <class P>
 void Neighbours<P>::list(const Disks& disks, Index i) {
   const std::uint32_t found = keep_near(disks, i, gather(cell_[i]));
-  if (stamp_ > 0xfffffff0U) {
-    std::fill(seen_.begin(), seen_.end(), 0);
-    stamp_ = 0;
-  }
-  stamp_ += 2;
   // Who is new and who is gone cannot be foreseen either.
   const std::uint32_t had = lists_.copy(i, gone_);
-  for (std::uint32_t n = 0; n < had; ++n) seen_[gone_[n]] = stamp_;
-  if (fresh_.size() < found) fresh_.resize(found_.size());
+  if (fresh_.size() < found_.size()) fresh_.resize(found_.size());
+  for (std::uint32_t n = 0; n < kWords; ++n) {  // no neighbour of itself
+    gone_[had + n] = i;
+    found_[found + n] = i;
+  }
   fresh_count_ = 0;
   for (std::uint32_t n = 0; n < found; ++n) {
     const Index j = found_[n];
     fresh_[fresh_count_] = j;
-    fresh_count_ += seen_[j] == stamp_ ? 0U : 1U;
-    seen_[j] = stamp_ + 1;
+    fresh_count_ += is_among(gone_.data(), had, j) ? 0U : 1U;
   }
   std::uint32_t gone = 0;
   for (std::uint32_t n = 0; n < had; ++n) {
     const Index j = gone_[n];
     gone_[gone] = j;
-    gone += seen_[j] == stamp_ ? 1U : 0U;
+    gone += is_among(found_.data(), found, j) ? 0U : 1U;
   }
+  lists_.assign(i, found_.data(), found);
   for (std::uint32_t n = 0; n < fresh_count_; ++n) lists_.add(fresh_[n], i);
   for (std::uint32_t n = 0; n < gone; ++n) lists_.remove(gone_[n], i);
-  lists_.assign(i, found_.data(), found);
 }
 
 template <class P>
@@ -265,20 +261,32 @@ bool Neighbours<P>::in_square(const typename P::Disk& disk, Index i, typename P:
 }
 
 template <class P>
-void Neighbours<P>::fetch_around(Index i) const {
+template <class Visit>
+void Neighbours<P>::each_cell_around(Index i, Visit visit) const {
   const std::uint32_t last = count_[0] * count_[1] - 1;
   for (const std::uint32_t row : {cell_[i] - count_[0], cell_[i], cell_[i] + count_[0]}) {
-    for (std::uint32_t c = 0; c < 3; ++c) {
-      __builtin_prefetch(&cells_.first(std::min(row + c - 1, last)));
-    }
+    for (std::uint32_t c = 0; c < 3; ++c) visit(cells_.first(std::min(row + c - 1, last)));
   }
+}
+
+template <class P>
+void Neighbours<P>::fetch_cells(Index i) const {
+  each_cell_around(i, [](const auto& node) { __builtin_prefetch(&node); });
+}
+
+template <class P>
+void Neighbours<P>::fetch_search(Index i) const {
+  const auto& list = lists_.first(i);
+  for (std::uint32_t n = 0; n < list.count; ++n) __builtin_prefetch(&lists_.first(list.item[n]));
+  each_cell_around(i, [this](const auto& node) {
+    for (std::uint32_t n = 0; n < node.count; ++n) __builtin_prefetch(&centres_[node.item[n]]);
+  });
 }
 
 template <class P>
 std::size_t Neighbours<P>::bytes() const {
   return centres_.capacity() * sizeof(Centre) +
-         (cell_.capacity() + seen_.capacity() + found_.capacity()) * sizeof(Index) +
-         lists_.bytes() + cells_.bytes();
+         (cell_.capacity() + found_.capacity()) * sizeof(Index) + lists_.bytes() + cells_.bytes();
 }
 
 }  // namespace carom::event

@@ -7,10 +7,7 @@
 #include <vector>
 
 #include "solvers/event/huge_pages.hpp"
-
-#if defined(__AVX2__)
-#include <immintrin.h>
-#endif
+#include "solvers/event/word_search.hpp"
 
 namespace carom::event {
 
@@ -19,7 +16,7 @@ namespace carom::event {
 /// Holds: a list is a chain of nodes; all but the last are full.
 template <std::uint32_t K>
 class ShortLists {
-  static_assert((K + 2) % 8 == 0 && K < 32);
+  static_assert((K + 2) % kWords == 0 && K < 32);
 
  public:
   struct alignas((K + 2) * 4) Node {
@@ -45,18 +42,12 @@ class ShortLists {
     }
   }
 
-  [[nodiscard]] bool contains(std::uint32_t list, std::uint32_t item) const {
-    bool found = false;
-    each(list, [&](std::uint32_t other) { found |= other == item; });
-    return found;
-  }
-
-  /// Puts the items of a list at the beginning of `into`, which grows where it must; gives their
-  /// number.
+  /// Puts the items of a list at the beginning of `into`, which grows where it must, and has K
+  /// words after them; gives their number.
   std::uint32_t copy(std::uint32_t list, std::vector<std::uint32_t>& into) const {
     std::uint32_t count = 0;
     for (const Node* node = &nodes_[list];; node = &nodes_[node->next]) {
-      if (into.size() < count + K) into.resize(2 * into.size() + K);
+      if (into.size() < count + 2 * K) into.resize(2 * (into.size() + K));
       std::memcpy(&into[count], node->item, sizeof node->item);
       count += node->count;
       if (node->next == 0) return count;
@@ -127,22 +118,13 @@ class ShortLists {
  private:
   /// Where the node has the item, K: nowhere.  Without a branch: it cannot be foreseen.
   static std::uint32_t find(const Node& node, std::uint32_t item) {
-#if defined(__AVX2__)
+    // The last two of its words are no items.
+    const auto* const words = reinterpret_cast<const std::uint32_t*>(&node);
     std::uint32_t found = std::uint32_t{1} << K;
-    const __m256i wanted = _mm256_set1_epi32(static_cast<int>(item));
-    for (std::uint32_t n = 0; n < K + 2; n += 8) {
-      const void* const words = reinterpret_cast<const char*>(&node) + 4 * n;
-      const __m256i eight = _mm256_load_si256(static_cast<const __m256i*>(words));
-      const __m256 equal = _mm256_castsi256_ps(_mm256_cmpeq_epi32(eight, wanted));
-      const auto where = static_cast<std::uint32_t>(_mm256_movemask_ps(equal)) << n;
-      found |= where & ((std::uint32_t{1} << node.count) - 1);
+    for (std::uint32_t n = 0; n < K + 2; n += kWords) {
+      found |= (equal_words(words + n, item) << n) & ((std::uint32_t{1} << node.count) - 1);
     }
     return static_cast<std::uint32_t>(std::countr_zero(found));
-#else
-    std::uint32_t slot = K;
-    for (std::uint32_t n = 0; n < K; ++n) slot = node.item[n] == item && n < node.count ? n : slot;
-    return slot;
-#endif
   }
 
   std::uint32_t new_node() {

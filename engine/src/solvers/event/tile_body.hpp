@@ -154,11 +154,12 @@ void Tile<P>::fetch(std::span<const Entry> entries, std::span<const Entry> next,
     const Disk& disk = disks_[entry.ball];
     fetch_listed(entry.ball);
     if (meets_ball(disk, entry)) neighbours_.fetch(disk.partner);
-    if (disk.leaves == entry.time) neighbours_.fetch_around(entry.ball);
+    if (disk.leaves == entry.time) neighbours_.fetch_cells(entry.ball);
   }
   for (const Entry& entry : entries) {
     const Disk& disk = disks_[entry.ball];
     if (meets_ball(disk, entry)) fetch_listed(disk.partner);
+    if (disk.leaves == entry.time) neighbours_.fetch_search(entry.ball);
   }
 }
 
