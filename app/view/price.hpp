@@ -8,21 +8,21 @@
 
 namespace carom {
 
+/// The exact run beside one on screen.
+struct ExactRun {
+  std::string name;
+  double milliseconds = 0;
+  double distance = 0;  ///< largest of a ball between the two, scene units
+  double radius = 0;    ///< the smallest
+};
+
 /// What a run on screen costs, and how wrong it is.
 struct Price {
-  /// The exact run beside it.
-  struct Beside {
-    std::string name;
-    double milliseconds = 0;
-    double distance = 0;  ///< largest of a ball between the two, scene units
-    double radius = 0;    ///< the smallest
-  };
-
   std::string method;       ///< as in "overlap, step 1/240 s"
   double milliseconds = 0;  ///< of computing a frame
   double energy_error = 0;  ///< relative
   double max_overlap = 0;   ///< of the smaller radius
-  std::optional<Beside> beside;
+  std::optional<ExactRun> beside;
 };
 
 /// Lays the price over the upper right corner of the canvas, as much of it as fits.

@@ -15,8 +15,8 @@ std::string terminal_problem() {
   int found = 0;
   const bool known = setupterm(name, STDOUT_FILENO, &found) == OK;
   // tigetstr gives (char*)-1 for what is no string capability, and null for what is absent.
-  static const char capability[] = "cup";
-  const bool moves = known && tigetstr(const_cast<char*>(capability)) != nullptr;
+  static constexpr char kCapability[] = "cup";
+  const bool moves = known && tigetstr(const_cast<char*>(kCapability)) != nullptr;
   if (known) del_curterm(cur_term);
   if (!known) return std::string("TERM=") + name + " is not a terminal known here";
   if (!moves) return std::string("TERM=") + name + " cannot move its cursor";

@@ -91,7 +91,7 @@ class Journal {
     const Role role = roles_[ball];
     if (role != kOwned) border_.push_back(number);
     if (role != kCopy) add(share);
-    if (share.ball_ball_halves != 1 || share.group != 0) shares_.push_back({number, share});
+    if (share.ball_ball_halves != 1 || share.group != 0) shares_.emplace_back(number, share);
   }
   void note_speed(const Disk& disk) {
     const auto vx = static_cast<double>(disk.vx);
