@@ -26,7 +26,7 @@ Ball peg(double x, double y, double radius = 0.5) {
   return result;
 }
 
-Scene falling(double width, double height, double restitution, Vec2 gravity = {0, -9.81}) {
+Scene falling(double width, double height, double restitution, const Vec2& gravity = {0, -9.81}) {
   Scene scene;
   scene.box.width = width;
   scene.box.height = height;
@@ -201,7 +201,8 @@ std::vector<Ball> heap(std::size_t count, std::size_t columns, double spacing) {
   std::vector<Ball> balls;
   for (std::size_t k = 0; k < count; ++k) {
     const auto column = static_cast<double>(k % columns);
-    const auto row = static_cast<double>(k / columns);
+    const std::size_t below = k / columns;
+    const auto row = static_cast<double>(below);
     balls.push_back(ball(0.6 + spacing * column + 0.1 * uniform(),
                          0.6 + spacing * row + 0.1 * uniform(), uniform() - 0.5, uniform() - 0.5,
                          0.4 + 0.1 * uniform()));
@@ -410,7 +411,7 @@ TEST(EventRest, a_pile_wakes_when_it_is_hit_and_when_what_carries_it_goes) {
 TEST(EventRest, lines_of_free_balls_collapse_in_bounded_impacts_with_their_momentum) {
   int collapsed = 0;
   for (const std::size_t n : {3U, 4U, 5U, 6U, 10U}) {
-    const double count = static_cast<double>(n);
+    const auto count = static_cast<double>(n);
     const double limit =
         n == 3 ? 7 - 4 * std::sqrt(3.0) : std::pow(std::tan(std::atan(1.0) * (1 - 2 / count)), 2);
     for (const double part : {0.2, 0.9, 0.99}) {
@@ -420,7 +421,7 @@ TEST(EventRest, lines_of_free_balls_collapse_in_bounded_impacts_with_their_momen
       scene.effects.collisions = Collisions{limit * part};
       std::vector<Ball> balls;
       for (std::size_t k = 0; k < n; ++k) {
-        const double at = static_cast<double>(k);
+        const auto at = static_cast<double>(k);
         balls.push_back(ball(20 + 1.5 * at + 0.01 * at * at, 5, 2 * k < n ? 1 : -1));
       }
       balls[0].velocity.x() = 1.5;

@@ -69,8 +69,8 @@ bool is_over(std::uint32_t word, std::uint32_t phase) {
 }
 
 std::size_t cores() {
-  static const std::size_t count = std::max<std::size_t>(usable_cores().size(), 1);
-  return count;
+  static const std::size_t kCores = std::max<std::size_t>(usable_cores().size(), 1);
+  return kCores;
 }
 
 void pause() {
