@@ -1,8 +1,10 @@
 #include "carom/accuracy.hpp"
 
 #include <fmt/format.h>
+#include <signal.h>
 
 #include <array>
+#include <csignal>
 #include <string>
 #include <utility>
 
@@ -40,6 +42,48 @@ std::string in_words(const AccuracyStudy& study) {
   return to_table(study) + '\n' + to_plot(study) + '\n' + to_sentences(study);
 }
 
+constexpr int kStopped = 128 + SIGINT;  // exit status, as shells have it
+
+volatile std::sig_atomic_t interrupts = 0;
+struct sigaction before_interrupt;  // what an interrupt did before
+
+/// The first interrupt ends the study, the second the program.
+void take_interrupt(int) {
+  interrupts = 1;
+  (void)sigaction(SIGINT, &before_interrupt, nullptr);
+}
+
+/// From here to the end of its life an interrupt is noted.
+class Interrupt {
+ public:
+  Interrupt() {
+    struct sigaction action {};
+    action.sa_handler = take_interrupt;
+    (void)sigaction(SIGINT, nullptr, &before_interrupt);
+    if (before_interrupt.sa_handler != SIG_IGN) (void)sigaction(SIGINT, &action, nullptr);
+  }
+  ~Interrupt() { (void)sigaction(SIGINT, &before_interrupt, nullptr); }
+  Interrupt(const Interrupt&) = delete;
+  Interrupt& operator=(const Interrupt&) = delete;
+
+  [[nodiscard]] static bool seen() { return interrupts != 0; }
+};
+
+std::string said(const AccuracyProgress& progress) {
+  if (progress.run == 0) return progress.what;
+  return fmt::format("run {} of {}: {}", progress.run, progress.runs, progress.what);
+}
+
+/// A row while the study goes on: what it is and its figures so far.
+std::string live_line(const AccuracyRow& row, double time) {
+  if (!row.failure.empty()) return fmt::format("  {:<20}  {}", run_name(row), row.failure);
+  return fmt::format("  {:<20}  {:>8} per s  position {:>8}  energy {:>8}  {}", run_name(row),
+                     duration_text(time > 0 ? row.seconds / time : 0),
+                     row.position_error ? error_text(*row.position_error) : "lost",
+                     row.energy_error ? error_text(*row.energy_error) : "unknown",
+                     row.horizon ? fmt::format("right for {:.4g} s", *row.horizon) : "");
+}
+
 }  // namespace
 
 int accuracy(const Options& options) {
@@ -58,11 +102,24 @@ int accuracy(const Options& options) {
 
   AccuracyRequest request = request_of(options);
   Progress progress(!options.quiet);
-  request.progress = [&](double part, double left, const std::string& what) {
-    progress.show_left(part, left, what);
+  request.progress = [&](const AccuracyProgress& at) {
+    progress.show_left(at.part, at.left, said(at));
   };
+  const double time = options.time.value_or(scene.duration);
+  request.row_done = [&](const AccuracyRow& row) { progress.print_above(live_line(row, time)); };
+  const Interrupt interrupt;
+  request.stopped = [&] { return interrupt.seen(); };
   const AccuracyStudy study = study_accuracy(scene, request);
   progress.erase();
+  if (study.stopped) {
+    if (!options.quiet && !study.rows.empty()) print(in_words(study));
+    print_error(fmt::format("carom: stopped with {} of {} runs done{}\n", study.rows.size(),
+                            study.runs,
+                            options.json.empty() && options.csv.empty() && options.plot.empty()
+                                ? ""
+                                : "; no file is written"));
+    return kStopped;
+  }
 
   json.write(to_json(study));
   csv.write(to_csv(study));

@@ -68,8 +68,9 @@ std::vector<Mark> marks_of(const AccuracyStudy& study) {
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const AccuracyRow& row = study.rows[i];
     const double seconds = study.seconds_per_simulated_second(row);
-    const std::optional<double> value = by_horizon ? row.horizon : row.position_error;
-    if (!row.failure.empty() || !(seconds > 0) || !value || !std::isfinite(*value)) continue;
+    if (!row.failure.empty() || !(seconds > 0)) continue;
+    const std::optional<double> value = by_horizon ? study.right_until(row) : row.position_error;
+    if (!value || !std::isfinite(*value)) continue;
     const AccuracyRow& first = study.rows.front();
     Mark mark;
     mark.x = std::log10(seconds);
@@ -144,12 +145,12 @@ std::string to_plot(const AccuracyStudy& study) {
   }
 
   const bool by_horizon = study.judged_by_horizon();
-  std::string text = by_horizon ? "  horizon, s\n" : "  error of position\n";
+  std::string text = by_horizon ? "  predictability horizon, s\n" : "  error of position\n";
   for (int row = 0; row < kRows; ++row) {
     const double part = static_cast<double>(kRows - 1 - row) / (kRows - 1);
     std::string number;
     if (below && row == kRows - 1) {
-      number = "less";
+      number = "0 or less";
     } else if (row % kEvery == 0) {
       number = fmt::format("{:.1e}", std::pow(10.0, y->low + part * (y->high - y->low)));
     }
@@ -160,7 +161,7 @@ std::string to_plot(const AccuracyStudy& study) {
   text += std::string(kMargin, ' ') + '+' + std::string(kColumns, '-') + '\n';
   text += std::string(kMargin + 1, ' ') + decades(x) + '\n';
   text += std::string(kMargin + 1, ' ') +
-          "seconds per simulated second; o overlap, e event, O E the best choices\n";
+          "seconds per simulated second; o overlap, e event, O E the Pareto front\n";
   return text;
 }
 

@@ -40,6 +40,7 @@ Line line_of(const AccuracyStudy& study, const AccuracyRow& row, bool best, bool
   }
   line.push_back(duration_text(study.seconds_per_simulated_second(row)));
   line.push_back(spread_text(row));
+  line.push_back(duration_text(study.time > 0 ? row.cpu_seconds / study.time : 0));
   line.push_back(or_lost(row.position_error, "lost"));
   line.push_back(or_lost(row.energy_error, "unknown"));
   line.push_back(row.max_overlap == 0 ? "0" : fmt::format("{:.1e}", row.max_overlap));
@@ -61,11 +62,16 @@ std::string reference_text(const AccuracyStudy& study) {
     checked = fmt::format("{}", reference.checked_digits);
   }
   if (reference.holds_until) {
-    return text + fmt::format("; with {} it parts from that at {:.4g} s, where the truth ends\n",
-                              checked, *reference.holds_until);
+    return text + fmt::format("; right until {:.4g} s, where {} part from it\n",
+                              *reference.holds_until,
+                              reference.step ? "steps of " + checked : checked + " digits");
   }
-  return text + fmt::format("; with {} it is nowhere farther away than {}\n", checked,
-                            error_text(reference.difference));
+  if (reference.step) {
+    return text + fmt::format("; reference error ({} against {}): {}\n", step_text(*reference.step),
+                              checked, error_text(reference.difference));
+  }
+  return text + fmt::format("; reference error ({} against {} digits): {}\n", reference.digits,
+                            checked, error_text(reference.difference));
 }
 
 /// The resolution of the horizons that were looked at closely, and of those that steps keep coarse.
@@ -82,8 +88,9 @@ std::string resolution_text(const AccuracyStudy& study) {
       finest == coarsest ? duration_text(finest)
                          : fmt::format("{} to {}", duration_text(finest), duration_text(coarsest));
   return fmt::format(
-      "  horizon: when a ball is first seen more than {:.3g} from where it should "
-      "be; looked at every {}\n",
+      "  horizon (predictability horizon): when a ball is first seen more than {:.3g} away from "
+      "the "
+      "reference; compared every {}\n",
       study.smallest_radius / kPercent, range);
 }
 
@@ -132,13 +139,14 @@ std::string to_table(const AccuracyStudy& study) {
                         row.per_ball ? ", one per ball" : "");
   }
   text += '\n' + reference_text(study);
-  text += fmt::format("true impacts{}: {} of balls, {} of walls\n\n",
+  text += fmt::format("collisions of the reference{}: {} of balls, {} with walls\n\n",
                       study.reference.holds_until ? " until then" : "", study.reference.ball_ball,
                       study.reference.ball_wall);
 
-  std::vector<Line> lines{{"", "", "time", "", "error of", "error of", "deepest", "impacts", "of"}};
-  lines.push_back({"", "run", "per s", "spread", "position", "energy", "overlap", "of balls",
-                   "walls", "horizon"});
+  std::vector<Line> lines{
+      {"", "", "time", "", "CPU time", "error of", "error of", "deepest", "impacts", "of"}};
+  lines.push_back({"", "run", "per s", "spread", "per s", "position", "energy", "overlap",
+                   "of balls", "walls", "horizon"});
   if (crews) {
     lines[0].insert(lines[0].begin() + 2, "");
     lines[1].insert(lines[1].begin() + 2, "workers");
@@ -165,8 +173,16 @@ std::string to_table(const AccuracyStudy& study) {
     row.erase(row.find_last_not_of(' ') + 1);
     text += row.substr(1) + '\n';
   }
-  text += "\n  * no run is both cheaper and better\n" + resolution_text(study);
-  if (!study.ladder_end.empty()) text += "  the ladder ends: " + study.ladder_end + '\n';
+  text += "\n  * on the Pareto front: no other run is both cheaper and better\n" +
+          resolution_text(study);
+  if (!study.ladder_end.empty()) {
+    text += "  the sequence of steps ends early: " + study.ladder_end + '\n';
+  }
+  if (const std::optional<double> share = study.processor_share()) {
+    text += fmt::format(
+        "  busy machine: the runs got {:.0f} % of the processor; compare the CPU times\n",
+        *share * kPercent);
+  }
   return text;
 }
 

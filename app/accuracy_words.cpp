@@ -32,11 +32,21 @@ const AccuracyRow* nearest(const AccuracyStudy& study, Method method) {
   return best;
 }
 
-/// The run of a method, or of any, that is lost last; none where one is not lost at all.
-const AccuracyRow* longest(const AccuracyStudy& study, std::optional<Method> method = {}) {
+/// The run that is right for longest.  REQUIRES: one ran.
+const AccuracyRow& longest(const AccuracyStudy& study) {
   const AccuracyRow* best = nullptr;
   for (const AccuracyRow& row : study.rows) {
-    if (!ran(row) || (method && row.method != *method)) continue;
+    if (!ran(row)) continue;
+    if (best == nullptr || study.right_until(row) > study.right_until(*best)) best = &row;
+  }
+  return *best;
+}
+
+/// The run of a method that is lost last; none where one is not lost at all.
+const AccuracyRow* lost_last(const AccuracyStudy& study, Method method) {
+  const AccuracyRow* best = nullptr;
+  for (const AccuracyRow& row : study.rows) {
+    if (!ran(row) || row.method != method) continue;
     if (!row.horizon) return nullptr;
     if (best == nullptr || *row.horizon > *best->horizon) best = &row;
   }
@@ -62,14 +72,14 @@ std::string invariants(const AccuracyStudy& study, Method method) {
 
 std::string by_horizon(const AccuracyStudy& study) {
   std::string text = fmt::format(
-      "Chaotic: every run is lost before {:.4g} s, so errors at the end say nothing; the horizon "
-      "and what cannot change are left to judge by.\n",
+      "Chaotic: no run is known to be right until {:.4g} s, so errors at the end say nothing. "
+      "Compare the predictability horizons and the conserved quantities.\n",
       study.time);
-  const AccuracyRow* const best = longest(study);
-  text +=
-      fmt::format("Longest: {}, {:.4g} s, at {} per simulated second. {}; {}.\n", run_name(*best),
-                  *best->horizon, duration_text(study.seconds_per_simulated_second(*best)),
-                  invariants(study, Method::event), invariants(study, Method::overlap));
+  const AccuracyRow& best = longest(study);
+  text += fmt::format("Right for longest: {}, {:.4g} s, at {} per simulated second. {}; {}.\n",
+                      run_name(best), study.right_until(best),
+                      duration_text(study.seconds_per_simulated_second(best)),
+                      invariants(study, Method::event), invariants(study, Method::overlap));
   return text;
 }
 
@@ -102,7 +112,7 @@ std::string by_error(const AccuracyStudy& study, double target,
   }
   rival = nearest(study, other);
   if (rival == nullptr) return text + ".\n";
-  const AccuracyRow* const last = longest(study, other);
+  const AccuracyRow* const last = lost_last(study, other);
   if (last != nullptr) {
     return text + fmt::format(
                       "; {} is lost whatever the step: at {:.4g} s with {}, which costs {} "

@@ -1,6 +1,7 @@
 #include "progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -41,6 +42,10 @@ void Progress::draw(double part, const std::string& text) {
   const std::string bar =
       std::string(full, '#') + std::string(static_cast<std::size_t>(kBarWidth) - full, '.');
   std::string line = fmt::format("[{}] {:3.0f} %  {}", bar, part * 100, text);
+  winsize size{};  // a line that wraps cannot be taken back
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1) {
+    line.resize(std::min<std::size_t>(line.size(), size.ws_col - 1U));
+  }
   const std::size_t width = line.size();
   line.resize(std::max(width, width_), ' ');
   width_ = width;
@@ -48,11 +53,30 @@ void Progress::draw(double part, const std::string& text) {
   (void)std::fflush(stderr);
 }
 
-void Progress::erase() {
+void Progress::print_above(const std::string& line) {
+  if (!shown_here_) return;
+  erase_line();
+  fmt::print(stderr, "{}\n", line);
+  (void)std::fflush(stderr);
+  ++above_;
+}
+
+void Progress::erase_line() {
   if (width_ == 0) return;
   fmt::print(stderr, "\r{}\r", std::string(width_, ' '));
   (void)std::fflush(stderr);
   width_ = 0;
+}
+
+void Progress::erase() {
+  erase_line();
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0;
+  if (above_ > 0 && known && above_ < size.ws_row) {
+    fmt::print(stderr, "\x1b[{}A\x1b[J", above_);  // up, and clear to the end of the screen
+    (void)std::fflush(stderr);
+  }
+  above_ = 0;
 }
 
 }  // namespace carom

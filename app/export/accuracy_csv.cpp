@@ -23,9 +23,9 @@ std::string or_empty(const std::optional<double>& number) {
 }
 
 std::string measured(const AccuracyStudy& study, const AccuracyRow& row) {
-  if (!row.failure.empty()) return ",,,,,,,,,,";
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", row.seconds, row.fastest, row.slowest,
-                     row.repeats, study.seconds_per_simulated_second(row),
+  if (!row.failure.empty()) return ",,,,,,,,,,,";
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", row.seconds, row.fastest, row.slowest,
+                     row.cpu_seconds, row.repeats, study.seconds_per_simulated_second(row),
                      or_empty(row.position_error), or_empty(row.energy_error), row.max_overlap,
                      row.ball_ball, row.ball_wall, or_empty(row.horizon));
 }
@@ -35,7 +35,8 @@ std::string measured(const AccuracyStudy& study, const AccuracyRow& row) {
 std::string to_csv(const AccuracyStudy& study) {
   const AccuracyReference& reference = study.reference;
   std::string text =
-      "method,step,digits,workers,per_ball,seconds,seconds_fastest,seconds_slowest,repeats,"
+      "method,step,digits,workers,per_ball,seconds,seconds_fastest,seconds_slowest,cpu_seconds,"
+      "repeats,"
       "seconds_per_simulated_second,position_error,energy_error,max_overlap,ball_ball,ball_wall,"
       "horizon,horizon_resolution,failed,scene,time,seed,reference_digits,true_ball_ball,"
       "true_ball_wall,version,compiler,processor,cores,system\n";

@@ -104,33 +104,49 @@ std::string title_of(const AccuracyStudy& study) {
   return title;
 }
 
-/// The points of a method: its line in double precision, and the rest.
-std::string points(const AccuracyStudy& study, Method method, bool wide) {
-  std::string text;
+/// A run's height: its error, or how long it is right; absent where the reference does not tell.
+std::optional<double> height_of(const AccuracyStudy& study, const AccuracyRow& row) {
+  if (!row.failure.empty()) return std::nullopt;
+  if (study.judged_by_horizon()) return study.right_until(row);
+  return row.position_error;
+}
+
+/// Where heights of 0 are drawn, as a logarithmic axis has no place for them: a decade below all
+/// others.  Absent: there are none.
+std::optional<double> zero_line(const AccuracyStudy& study) {
+  constexpr double kDecade = 10;
+  bool zero = false;
+  std::optional<double> least;
   for (const AccuracyRow& row : study.rows) {
-    const std::optional<double> value =
-        study.judged_by_horizon() ? row.horizon : row.position_error;
-    const double seconds = study.seconds_per_simulated_second(row);
-    if (!row.failure.empty() || row.method != method || (row.digits > kDouble) != wide) continue;
-    if (!value || !(*value > 0) || !(seconds > 0)) continue;
-    text += fmt::format("{} {}\n", seconds, *value);
+    const std::optional<double> height = height_of(study, row);
+    if (!height) continue;
+    zero = zero || !(*height > 0);
+    if (*height > 0 && (!least || *height < *least)) least = height;
+  }
+  if (!zero) return std::nullopt;
+  return least ? *least / kDecade : 1 / kDecade;
+}
+
+/// The points of the rows that are wanted, a line each.
+template <class Wanted>
+std::string points(const AccuracyStudy& study, const Wanted& wanted) {
+  const std::optional<double> zero = zero_line(study);
+  std::string text;
+  for (std::size_t i = 0; i < study.rows.size(); ++i) {
+    const std::optional<double> height = height_of(study, study.rows[i]);
+    const double seconds = study.seconds_per_simulated_second(study.rows[i]);
+    if (!height || !(seconds > 0) || !wanted(i)) continue;
+    text += *height > 0 ? fmt::format("{} {}\n", seconds, *height)
+                        : fmt::format("{} {:.6g}\n", seconds, *zero);
   }
   return text;
 }
 
-std::string best_points(const AccuracyStudy& study) {
-  std::string text;
-  const std::vector<bool> best = best_choices(study);
-  for (std::size_t i = 0; i < study.rows.size(); ++i) {
-    const AccuracyRow& row = study.rows[i];
-    const std::optional<double> value =
-        study.judged_by_horizon() ? row.horizon : row.position_error;
-    const double seconds = study.seconds_per_simulated_second(row);
-    if (best[i] && value && *value > 0 && seconds > 0) {
-      text += fmt::format("{} {}\n", seconds, *value);
-    }
-  }
-  return text;
+/// Of a method: its line in double precision, or the rest.
+std::string points_of(const AccuracyStudy& study, Method method, bool wide) {
+  return points(study, [&](std::size_t i) {
+    return study.rows[i].method == method && (study.rows[i].digits > kDouble) == wide;
+  });
 }
 
 }  // namespace
@@ -141,11 +157,14 @@ std::string gnuplot_script(const AccuracyStudy& study, bool png) {
     std::string points;
     std::string style;
   };
+  const std::vector<bool> best = best_choices(study);
   std::vector<Series> series{
-      {"overlap", points(study, Method::overlap, false), "with linespoints lw 2 pt 7 ps 1"},
-      {"event, 16 digits", points(study, Method::event, false), "with linespoints lw 2 pt 5 ps 1"},
-      {"event, more digits", points(study, Method::event, true), "with points pt 9 ps 1.5"},
-      {"no run is both cheaper and better", best_points(study), "with points pt 6 ps 2.5"}};
+      {"overlap", points_of(study, Method::overlap, false), "with linespoints lw 2 pt 7 ps 1"},
+      {"event, 16 digits", points_of(study, Method::event, false),
+       "with linespoints lw 2 pt 5 ps 1"},
+      {"event, more digits", points_of(study, Method::event, true), "with points pt 9 ps 1.5"},
+      {"Pareto front", points(study, [&](std::size_t i) { return best[i]; }),
+       "with points pt 6 ps 2.5"}};
   std::erase_if(series, [](const Series& each) { return each.points.empty(); });
   std::string script =
       fmt::format("set terminal {}\n", png ? "pngcairo size 900,600" : "svg size 900,600");
@@ -155,8 +174,14 @@ std::string gnuplot_script(const AccuracyStudy& study, bool png) {
       "set logscale xy\nset format xy \"10^{%L}\"\nset grid\nset key outside bottom horizontal\n"
       "set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n"
       "set xlabel \"wall-clock seconds per simulated second\"\n";
-  script += study.judged_by_horizon() ? "set ylabel \"horizon, s\"\n"
+  script += study.judged_by_horizon() ? "set ylabel \"predictability horizon, s\"\n"
                                       : "set ylabel \"error of position at the end\"\n";
+  if (const std::optional<double> zero = zero_line(study)) {
+    script += fmt::format(
+        "set ytics add (\"0 or less\" {0:.6g})\n"
+        "set arrow from graph 0, first {0:.6g} to graph 1, first {0:.6g} nohead dt 2\n",
+        *zero);
+  }
   if (series.empty()) {
     return script + "set xrange [1:10]\nset yrange [1:10]\nplot NaN notitle\n";
   }

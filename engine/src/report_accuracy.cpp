@@ -28,6 +28,7 @@ Json to_tree(const AccuracyStudy& study, const AccuracyRow& row) {
   set("seconds_fastest", row.fastest);
   set("seconds_slowest", row.slowest);
   set("seconds_quartiles", row.quartiles);
+  set("cpu_seconds", row.cpu_seconds);
   set("repeats", row.repeats);
   set("seconds_per_simulated_second", study.seconds_per_simulated_second(row));
   set("position_error", or_null(row.position_error));

@@ -31,6 +31,19 @@ TEST(Choice, TheCheapestWithinATargetIsAmongTheRunsThatWork) {
   EXPECT_EQ(cheapest_within(study, 9e-4), std::nullopt);
 }
 
+TEST(Choice, TimesThatCannotBeToldApartGoToFewerDigits) {
+  AccuracyStudy study;
+  study.rows = {row(1.1, 0), row(1, 0)};
+  study.rows[0].quartiles = {0.9, 1.2};
+  study.rows[1].quartiles = {0.95, 1.05};
+  study.rows[1].digits = 34;
+  EXPECT_EQ(cheapest_within(study, 1e-9), 0U);
+  EXPECT_EQ(best_choices(study), (std::vector<bool>{true, false}));
+  study.rows[0].quartiles = {1.06, 1.2};  // now they can
+  EXPECT_EQ(cheapest_within(study, 1e-9), 1U);
+  EXPECT_EQ(best_choices(study), (std::vector<bool>{false, true}));
+}
+
 TEST(Choice, WhereEveryRunIsLostTheyAreJudgedByHowLongTheyWereNot) {
   AccuracyStudy study;
   study.rows = {row(1, 5), row(2, 3), row(3, 7)};

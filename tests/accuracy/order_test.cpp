@@ -130,7 +130,7 @@ class Order : public testing::TestWithParam<Case> {};
 TEST_P(Order, OverlapsErrorHalvesWithTheStep) {
   std::vector<std::pair<double, double>> points;
   double step = accuracy::kLongestStep;
-  for (int rung = 0; rung < accuracy::kRungs; ++rung, step /= 2) {
+  for (int rung = 0; rung < accuracy::kSteps; ++rung, step /= 2) {
     std::mt19937_64 engine(7);
     double square = 0;
     for (int start = 0; start < kStarts; ++start) {

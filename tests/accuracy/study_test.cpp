@@ -11,7 +11,7 @@ namespace carom {
 namespace {
 
 using accuracy::kLongestStep;
-using accuracy::kRungs;
+using accuracy::kSteps;
 using test::HeadOn;
 using test::study_of;
 
@@ -32,7 +32,7 @@ TEST(Study, EveryColumnOfTwoDisksThatMeetHeadOnIsRight) {
   EXPECT_FALSE(study.reference.holds_until);
 
   const auto overlap = rows_of(study, Method::overlap);
-  ASSERT_EQ(overlap.size(), static_cast<std::size_t>(kRungs)) << study.ladder_end;
+  ASSERT_EQ(overlap.size(), static_cast<std::size_t>(kSteps)) << study.ladder_end;
   double step = kLongestStep;
   for (const AccuracyRow& row : overlap) {
     SCOPED_TRACE(step);
@@ -146,7 +146,7 @@ TEST(Study, TheRecommendedRunIsTheCheapestThatMeetsTheTarget) {
 TEST(Study, OtherCrewsAddTheSameRunsWithTheSameErrors) {
   const AccuracyStudy study =
       study_of(HeadOn::scene(), HeadOn::kTime, {{false, 1}, {false, 2}, {true, 1}});
-  std::vector<AccuracyRow> added(study.rows.begin() + 3 + kRungs, study.rows.end());
+  std::vector<AccuracyRow> added(study.rows.begin() + 3 + kSteps, study.rows.end());
   ASSERT_EQ(added.size(), 4U);
   for (const std::size_t i : {0U, 2U}) {
     EXPECT_EQ(added[i].method, Method::event);
@@ -202,8 +202,34 @@ TEST(Study, ARunThatTakesMoreThanItsShareEndsTheLadderAndSaysSo) {
   request.time = 30;
   request.share = 1e-4;
   const AccuracyStudy study = study_accuracy(HeadOn::scene(), request);
-  EXPECT_LT(rows_of(study, Method::overlap).size(), static_cast<std::size_t>(kRungs));
-  EXPECT_NE(study.ladder_end.find("share"), std::string::npos) << study.ladder_end;
+  EXPECT_LT(rows_of(study, Method::overlap).size(), static_cast<std::size_t>(kSteps));
+  EXPECT_NE(study.ladder_end.find("time limit"), std::string::npos) << study.ladder_end;
+}
+
+TEST(Study, EveryRunIsCountedAndToldAndAStopKeepsWhatIsDone) {
+  AccuracyRequest request;
+  request.time = HeadOn::kTime;
+  request.share = 20;
+  std::size_t rows = 0;
+  std::vector<AccuracyProgress> told;
+  request.row_done = [&](const AccuracyRow&) { ++rows; };
+  request.progress = [&](const AccuracyProgress& progress) { told.push_back(progress); };
+  request.stopped = [&] { return rows == 5; };
+  const AccuracyStudy study = study_accuracy(HeadOn::scene(), request);
+  EXPECT_TRUE(study.stopped);
+  EXPECT_EQ(study.rows.size(), 5U);
+  EXPECT_EQ(study.runs, static_cast<std::size_t>(kSteps) + 3);
+  ASSERT_FALSE(told.empty());
+  std::size_t run = 0;
+  for (const AccuracyProgress& each : told) {
+    EXPECT_GE(each.run, run) << "they come in order";
+    run = each.run;
+    EXPECT_EQ(each.runs, static_cast<std::size_t>(kSteps) + 3);
+    EXPECT_GE(each.left, 0);
+    EXPECT_LE(each.part, 1);
+  }
+  EXPECT_EQ(run, 5U);
+  EXPECT_EQ(told.front().what, "reference");
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ AccuracyRow row(Method method, std::optional<double> step, int digits, double se
   row.digits = digits;
   row.seconds = row.fastest = row.slowest = seconds;
   row.quartiles = {seconds, seconds};
+  row.cpu_seconds = seconds;
   row.repeats = 5;
   row.position_error = error;
   row.energy_error = 1e-16;
@@ -79,10 +80,11 @@ TEST(Text, TheTableHasALineForEachRunAndMarksTheBest) {
   EXPECT_TRUE(runs[2].ends_with("0.25 s"));
   EXPECT_TRUE(runs[3].starts_with("    overlap, 1/60 s")) << runs[3];
   EXPECT_TRUE(runs[6].ends_with("it failed, and this is why"));
-  EXPECT_NE(table.find("with 100 digits; with 50 it is nowhere farther away than 3.0e-49"),
+  EXPECT_NE(table.find("with 100 digits; reference error (100 against 50 digits): 3.0e-49"),
             std::string::npos);
-  EXPECT_NE(table.find("true impacts: 12 of balls, 3 of walls"), std::string::npos);
-  EXPECT_NE(table.find("looked at every 33.3 ms"), std::string::npos);
+  EXPECT_NE(table.find("collisions of the reference: 12 of balls, 3 with walls"),
+            std::string::npos);
+  EXPECT_NE(table.find("compared every 33.3 ms"), std::string::npos);
 }
 
 TEST(Text, TheSentenceNamesTheCheapestAndWhatTheOtherMethodCosts) {
@@ -125,8 +127,8 @@ TEST(Text, WhereEveryRunIsLostTheSentenceSaysSo) {
   for (AccuracyRow& each : study.rows) each.horizon = 0.5;
   study.rows[1].horizon = 1.5;
   const std::string text = to_sentences(study);
-  EXPECT_TRUE(text.starts_with("Chaotic: every run is lost before 2 s")) << text;
-  EXPECT_NE(text.find("Longest: event, 34 digits, 1.5 s"), std::string::npos) << text;
+  EXPECT_TRUE(text.starts_with("Chaotic: no run is known to be right until 2 s")) << text;
+  EXPECT_NE(text.find("Right for longest: event, 34 digits, 1.5 s"), std::string::npos) << text;
 }
 
 TEST(Text, ThePlotHasAMarkForEachRunAndALineForEachMethod) {
@@ -153,9 +155,46 @@ TEST(Text, ThePlotHasAMarkForEachRunAndALineForEachMethod) {
   EXPECT_EQ(rows[15][12], 'E') << plot;
   EXPECT_EQ(rows.back().size(), 64U);
   EXPECT_EQ(rows.back().back(), 'E') << "more digits than double's are at the lower edge";
-  EXPECT_NE(plot.find("     less |"), std::string::npos);
+  EXPECT_NE(plot.find("0 or less |"), std::string::npos);
   EXPECT_NE(plot.find(" 3.3e-02 |O"), std::string::npos);
   EXPECT_NE(plot.find(" 1e-3 "), std::string::npos);
+}
+
+TEST(Text, RunsWithoutErrorAreDrawnOnALineOfTheirOwn) {
+  AccuracyStudy study = made_up();
+  study.rows[0].position_error = 0;
+  const std::string script = gnuplot_script(study, true);
+  // A decade below the least error that is not 0, and named on the axis.
+  EXPECT_NE(script.find("0.001 1e-34\n"), std::string::npos) << script;
+  EXPECT_NE(script.find("set ytics add (\"0 or less\" 1e-34)"), std::string::npos) << script;
+  for (AccuracyRow& each : study.rows) each.position_error = 0;
+  EXPECT_NE(gnuplot_script(study, true).find("0.001 0.1\n"), std::string::npos);
+  EXPECT_EQ(gnuplot_script(made_up(), true).find("0 or less"), std::string::npos);
+}
+
+TEST(Text, WhereTheReferenceEndsFirstTheHorizonIsTheAnswer) {
+  AccuracyStudy study = made_up();
+  study.reference.holds_until = 1.25;
+  for (AccuracyRow& each : study.rows) {
+    each.position_error.reset();
+    each.horizon = 0.5;
+  }
+  study.rows[1].horizon.reset();  // right for at least as long as the reference
+  ASSERT_TRUE(study.judged_by_horizon());
+  EXPECT_NE(to_sentences(study).find("Right for longest: event, 34 digits, 1.25 s"),
+            std::string::npos);
+  EXPECT_NE(to_plot(study).find("predictability horizon, s"), std::string::npos);
+  EXPECT_NE(gnuplot_script(study, false).find("0.02 1.25\n"), std::string::npos);
+}
+
+TEST(Text, ABusyMachineIsSaid) {
+  AccuracyStudy study = made_up();
+  EXPECT_EQ(to_table(study).find("busy"), std::string::npos);
+  for (AccuracyRow& each : study.rows) each.cpu_seconds = each.seconds / 2;
+  EXPECT_NE(to_table(study).find("busy machine: the runs got 50 % of the processor"),
+            std::string::npos);
+  for (AccuracyRow& each : study.rows) each.cpu_seconds = 3 * each.seconds;  // several workers
+  EXPECT_EQ(to_table(study).find("busy"), std::string::npos);
 }
 
 TEST(Text, NothingThatRanIsNoPlot) {

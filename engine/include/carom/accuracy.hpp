@@ -20,6 +20,17 @@ struct AccuracyCrew {
   std::size_t workers = 1;  ///< where not one per ball
 };
 
+struct AccuracyRow;
+
+/// How far a study is.
+struct AccuracyProgress {
+  std::size_t run = 0;   ///< the run at hand, from 1; 0: the reference, or what follows the runs
+  std::size_t runs = 0;  ///< of how many
+  double left = 0;       ///< wall-clock seconds that are left, foreseen
+  double part = 0;       ///< of the whole that is done, 0 to 1; never goes back
+  std::string what;      ///< what is computed at the moment
+};
+
 /// What a study of accuracy is asked for.
 struct AccuracyRequest {
   std::optional<double> time;    ///< simulated seconds; absent: the scene's duration
@@ -27,9 +38,13 @@ struct AccuracyRequest {
   /// The first computes every row, the others those of one run.  Empty: as the scene says, else one
   /// worker.
   std::vector<AccuracyCrew> crews;
-  double share = 2;  ///< wall-clock seconds that one run may take
-  /// Told now and then: the part that is done, and the seconds that are left.
-  std::function<void(double part, double left, const std::string& what)> progress;
+  double share = 2;  ///< time limit of one run, wall-clock seconds
+  /// Called now and then, by the thread that asked for the study.
+  std::function<void(const AccuracyProgress&)> progress;
+  /// Called when a row is done; its horizon may still become sharper.
+  std::function<void(const AccuracyRow&)> row_done;
+  /// Asked often; once true, the study ends with the rows that are done.
+  std::function<bool()> stopped;
 };
 
 /// One run of the scene, and how wrong it was.
@@ -45,6 +60,9 @@ struct AccuracyRow {
   double fastest = 0;  ///< their spread: the ends, and those of the middle half
   double slowest = 0;
   std::array<double, 2> quartiles{0, 0};
+  /// CPU time of all threads, the median of the repeats.  Less than `seconds`: other programs had
+  /// the processor.
+  double cpu_seconds = 0;
   std::size_t repeats = 0;
   /// Largest distance of a ball from where it should be at the end; absent where the reference does
   /// not reach so far.
@@ -87,13 +105,21 @@ struct AccuracyStudy {
   Machine machine;
   AccuracyReference reference;
   std::vector<AccuracyRow> rows;
-  /// Why the ladder of steps ends where it does; empty: at its end.
+  /// Why the sequence of steps ends where it does; empty: at its shortest step.
   std::string ladder_end;
+  std::size_t runs = 0;  ///< that were planned, without those that the time limit left out
+  bool stopped = false;  ///< ended early, as asked
   std::optional<double> target;
   std::optional<std::size_t> recommended;  ///< the cheapest row that meets the target
 
-  /// Every run is lost before the end, so that errors at the end say nothing.
+  /// No run is known to be right until the end, so that errors at the end say nothing and the
+  /// predictability horizon is the answer.
   [[nodiscard]] bool judged_by_horizon() const;
+  /// How long a row is right, seconds: its horizon, or at least as long as the reference is.
+  [[nodiscard]] double right_until(const AccuracyRow& row) const;
+  /// CPU time of all rows over their wall-clock time where other programs had more than a tenth of
+  /// it; absent: the machine was quiet.
+  [[nodiscard]] std::optional<double> processor_share() const;
   /// A row's price.
   [[nodiscard]] double seconds_per_simulated_second(const AccuracyRow& row) const;
 };
@@ -112,11 +138,12 @@ class NoReference : public std::runtime_error {
 /// that says so.
 AccuracyStudy study_accuracy(const Scene& scene, const AccuracyRequest& request);
 
-/// The cheapest row whose error of position is at most `target`.
+/// The cheapest row whose error of position is at most `target`; of rows whose times cannot be told
+/// apart, the one with the fewest digits.
 std::optional<std::size_t> cheapest_within(const AccuracyStudy& study, double target);
 
-/// The rows than which no other is both cheaper and nearer to the truth, or, where that is what
-/// they are judged by, longer near it.
+/// The Pareto front: the rows than which no other is both cheaper and nearer to the reference, or,
+/// where that is what they are judged by, right for longer.  Ties go to fewer digits.
 std::vector<bool> best_choices(const AccuracyStudy& study);
 
 /// The study as a JSON object.

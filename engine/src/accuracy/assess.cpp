@@ -29,7 +29,7 @@ std::optional<double> energy_error(const Measurements& measured, const Effects& 
 }  // namespace
 
 std::optional<Loss> assess(AccuracyRow& row, const Scenario& scenario, const Samples& samples,
-                           const Truth& truth, double smallest_radius) {
+                           const Truth& truth, double smallest_radius, const Stopped& stopped) {
   const Box& box = scenario.start.box;
   Runner runner(scenario, way_of(row));
   std::optional<Loss> loss;
@@ -38,7 +38,7 @@ std::optional<Loss> assess(AccuracyRow& row, const Scenario& scenario, const Sam
     const double apart =
         largest_distance(runner.simulation().exact_positions(), truth.at_sample[sample - 1], box);
     if (!std::isfinite(apart)) {
-      throw std::runtime_error("a ball is nowhere: its place is no number");
+      throw std::runtime_error("the position of a ball is not a number");
     }
     if (!loss && apart > kLost * smallest_radius) {
       loss = Loss{before, sample};
@@ -50,6 +50,7 @@ std::optional<Loss> assess(AccuracyRow& row, const Scenario& scenario, const Sam
   };
   for (std::size_t sample = 1; sample < truth.known() && !loss; ++sample) {
     if (!samples.compares(sample, pace_of(row))) continue;
+    if (stopped && stopped()) throw StopAsked();
     runner.advance_to(samples.time(sample));
     (void)compare(sample);
   }
@@ -80,7 +81,8 @@ std::vector<std::uint64_t> fine_numbers(const AccuracyRow& row, const Loss& loss
 }
 
 void refine_horizon(AccuracyRow& row, const Loss& loss, const Scenario& scenario,
-                    const Samples& samples, const Truth& truth, double smallest_radius) {
+                    const Samples& samples, const Truth& truth, double smallest_radius,
+                    const Stopped& stopped) {
   Runner runner(scenario, way_of(row));
   double before = samples.time(loss.before);
   const auto seen = [&](double time) {
@@ -88,6 +90,7 @@ void refine_horizon(AccuracyRow& row, const Loss& loss, const Scenario& scenario
     row.horizon_resolution = time - before;
   };
   for (const std::uint64_t fine : fine_numbers(row, loss, samples)) {
+    if (stopped && stopped()) throw StopAsked();
     const double time = samples.fine_time(fine);
     runner.advance_to(time);
     const double apart = largest_distance(runner.simulation().exact_positions(),

@@ -6,10 +6,23 @@
 namespace carom {
 namespace {
 
+constexpr double kQuiet = 0.9;  // of the time that a quiet machine leaves to a run
+
 /// Less is better.
 double badness(const AccuracyStudy& study, const AccuracyRow& row) {
-  if (study.judged_by_horizon()) return -*row.horizon;
+  if (study.judged_by_horizon()) return -study.right_until(row);
   return row.position_error.value_or(std::numeric_limits<double>::infinity());
+}
+
+/// The middle halves of their repeats overlap.
+bool takes_as_long(const AccuracyRow& one, const AccuracyRow& other) {
+  return one.quartiles[0] <= other.quartiles[1] && other.quartiles[0] <= one.quartiles[1];
+}
+
+/// Where the times cannot be told apart, fewer digits cost less.
+bool is_cheaper(const AccuracyRow& one, const AccuracyRow& other) {
+  if (one.digits != other.digits && takes_as_long(one, other)) return one.digits < other.digits;
+  return one.seconds < other.seconds;
 }
 
 }  // namespace
@@ -18,14 +31,30 @@ bool AccuracyStudy::judged_by_horizon() const {
   bool any = false;
   for (const AccuracyRow& row : rows) {
     if (!row.failure.empty()) continue;
-    if (!row.horizon) return false;
+    if (!row.horizon && row.position_error) return false;
     any = true;
   }
   return any;
 }
 
+double AccuracyStudy::right_until(const AccuracyRow& row) const {
+  return row.horizon.value_or(reference.holds_until.value_or(time));
+}
+
 double AccuracyStudy::seconds_per_simulated_second(const AccuracyRow& row) const {
   return time > 0 ? row.seconds / time : 0;
+}
+
+std::optional<double> AccuracyStudy::processor_share() const {
+  double wall = 0;
+  double cpu = 0;
+  for (const AccuracyRow& row : rows) {
+    if (!row.failure.empty()) continue;
+    wall += row.seconds;
+    cpu += std::min(row.cpu_seconds, row.seconds);
+  }
+  if (!(wall > 0) || cpu >= kQuiet * wall) return std::nullopt;
+  return cpu / wall;
 }
 
 std::optional<std::size_t> cheapest_within(const AccuracyStudy& study, double target) {
@@ -34,6 +63,13 @@ std::optional<std::size_t> cheapest_within(const AccuracyStudy& study, double ta
     const AccuracyRow& row = study.rows[i];
     if (!row.failure.empty() || !row.position_error || *row.position_error > target) continue;
     if (!best || row.seconds < study.rows[*best].seconds) best = i;
+  }
+  if (!best) return best;
+  const AccuracyRow& cheapest = study.rows[*best];
+  for (std::size_t i = 0; i < study.rows.size(); ++i) {
+    const AccuracyRow& row = study.rows[i];
+    if (!row.failure.empty() || !row.position_error || *row.position_error > target) continue;
+    if (row.digits < study.rows[*best].digits && takes_as_long(row, cheapest)) best = i;
   }
   return best;
 }
@@ -47,8 +83,8 @@ std::vector<bool> best_choices(const AccuracyStudy& study) {
     best[i] = std::none_of(study.rows.begin(), study.rows.end(), [&](const AccuracyRow& other) {
       if (!other.failure.empty()) return false;
       const double other_bad = badness(study, other);
-      return other.seconds <= row.seconds && other_bad <= bad &&
-             (other.seconds < row.seconds || other_bad < bad);
+      return !is_cheaper(row, other) && other_bad <= bad &&
+             (other_bad < bad || is_cheaper(other, row));
     });
   }
   return best;

@@ -6,12 +6,12 @@
 
 namespace carom::accuracy {
 
-/// The longest step of the ladder, seconds; the others are its halves.
+/// The longest step of the sequence, seconds; the others are its halves.
 inline constexpr double kLongestStep = 1.0 / 30;
-inline constexpr int kRungs = 11;  ///< down to 1/30720 s
+inline constexpr int kSteps = 11;  ///< down to 1/30720 s
 
-/// When runs are compared: at whole multiples of a spacing, which is the longest step of the ladder
-/// times a power of two, so that steps end there; and at the end.
+/// When runs are compared: at whole multiples of a spacing, which is the longest step of the
+/// sequence times a power of two, so that steps end there; and at the end.
 ///
 /// Between two of them time is parted further where it matters; a fine number counts those parts.
 class Samples {

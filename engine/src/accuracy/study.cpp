@@ -1,10 +1,12 @@
 #include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 
 #include "accuracy/assess.hpp"
-#include "accuracy/remaining.hpp"
+#include "accuracy/forecast.hpp"
 #include "accuracy/scenario.hpp"
 #include "accuracy/timing.hpp"
 #include "accuracy/truth.hpp"
@@ -15,10 +17,20 @@ namespace carom {
 namespace accuracy {
 namespace {
 
-constexpr double kReferenceShares = 15;                   // that the reference may take
-constexpr std::size_t kMostBytes = std::size_t{1} << 28;  // of the truth's places
+using Clock = std::chrono::steady_clock;
+
+constexpr double kReferenceLimits = 15;                   // that the reference may take
+constexpr std::size_t kMostBytes = std::size_t{1} << 28;  // of the reference's positions
 constexpr std::size_t kBytesOfBall = 256;  // with 100 digits, and what keeping them takes
-constexpr double kTimesRun = 6;  // a row is run so often, foreseen: assessed, refined, timed
+constexpr double kRefined = 0.3;           // of the reference, foreseen for sharper horizons
+
+/// A run that is planned.
+struct Planned {
+  Way way;
+  AccuracyCrew crew;
+  /// Where it is a row's run on another crew: the row.
+  std::optional<std::size_t> same;
+};
 
 class Study {
  public:
@@ -29,7 +41,7 @@ class Study {
         radius_(smallest_radius(scenario_.start.balls)),
         samples_(scenario_.end, kMostBytes / kBytesOfBall /
                                     std::max<std::size_t>(1, scenario_.start.balls.size())),
-        remaining_(request.progress) {
+        forecast_(scenario_, request.share) {
     if (crews_.empty()) crews_.push_back({scene.per_ball, scene.workers.value_or(1)});
     study_.scene = scene.name;
     study_.time = scenario_.end;
@@ -41,16 +53,17 @@ class Study {
   }
 
   AccuracyStudy run() {
-    find_reference();
-    if (scenario_.start.effects.attraction) {
-      climb_down(Method::event);
-    } else {
-      run_row(Method::event, std::nullopt, 16);
+    plan();
+    try {
+      find_reference();
+      for (at_ = 0; at_ < plan_.size(); ++at_) run_planned();
+      plan_other_crews();
+      for (; at_ < plan_.size(); ++at_) run_on_other_crew();
+      refine();
+    } catch (const StopAsked&) {
+      study_.stopped = true;
     }
-    for (const int digits : {34, 50}) run_row(Method::event, std::nullopt, digits);
-    climb_down(Method::overlap);
-    for (std::size_t crew = 1; crew < crews_.size(); ++crew) run_on(crews_[crew]);
-    refine();
+    study_.runs = plan_.size();
     study_.reference = truth_.reference;
     if (study_.target) study_.recommended = cheapest_within(study_, *study_.target);
     return std::move(study_);
@@ -63,47 +76,100 @@ class Study {
     return radius;
   }
 
-  [[nodiscard]] static std::string name_of(const AccuracyRow& row) {
-    return row.step ? fmt::format("{} at 1/{:.5g} s",
-                                  row.method == Method::event ? "event" : "overlap", 1 / *row.step)
-                    : fmt::format("event with {} digits", row.digits);
+  [[nodiscard]] static std::string name_of(const Way& way) {
+    return way.step ? fmt::format("{} at 1/{:.5g} s",
+                                  way.method == Method::event ? "event" : "overlap", 1 / *way.step)
+                    : fmt::format("event with {} digits", way.digits);
   }
 
-  /// What the whole ladder is foreseen to take, before anything is known of it.
-  [[nodiscard]] double foreseen() const { return 2 * kTimesRun * request_.share / 2; }
+  void plan() {
+    const AccuracyCrew& crew = crews_.front();
+    const auto plan_steps = [&](Method method) {
+      double step = kLongestStep;
+      for (int count = 0; count < kSteps; ++count, step /= 2) {
+        plan_.push_back({{method, step, 16}, crew, {}});
+      }
+    };
+    if (scenario_.start.effects.attraction) {
+      plan_steps(Method::event);
+    } else {
+      plan_.push_back({{Method::event, std::nullopt, 16}, crew, {}});
+    }
+    for (const int digits : {34, 50}) {
+      plan_.push_back({{Method::event, std::nullopt, digits}, crew, {}});
+    }
+    plan_steps(Method::overlap);
+    unplanned_ = 2 * (crews_.size() - 1);
+  }
+
+  /// Says what is computed, and what it and the rest are foreseen to take; ends where that is
+  /// asked.
+  void tell(const std::string& what, std::size_t run, double left) {
+    if (request_.stopped && request_.stopped()) throw StopAsked();
+    if (!request_.progress) return;
+    const double spent = std::chrono::duration<double>(Clock::now() - started_).count();
+    const double part = spent + left > 0 ? spent / (spent + left) : 0;
+    farthest_ = std::max(farthest_, part);
+    request_.progress({run, plan_.size() + unplanned_, left, farthest_, what});
+  }
+
+  /// What the planned runs from `next` on and the horizons are foreseen to take.
+  [[nodiscard]] double foreseen(std::size_t next) const {
+    double left = 0;
+    for (std::size_t i = next; i < plan_.size(); ++i) {
+      const double run = forecast_.run(plan_[i].way);
+      if (plan_[i].way.step && run > 2 * request_.share) continue;  // it will be left out
+      left += plan_[i].same ? forecast_.with_repeats(run) - run : forecast_.with_repeats(run);
+    }
+    if (truth_.reference.seconds > 0 && losses_.empty()) return left;
+    const double reference =
+        truth_.reference.seconds > 0 ? truth_.reference.seconds : forecast_.reference();
+    return left + kRefined * reference;
+  }
 
   void find_reference() {
-    const auto told = [this, started = std::chrono::steady_clock::now()](double part) {
-      const double spent =
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-      remaining_.tell(spent / part - spent + foreseen(), "reference");
-    };
-    remaining_.tell(foreseen(), "reference");
-    truth_ = find_truth(scenario_, samples_, radius_, kReferenceShares * request_.share, told);
+    tell("reference", 0, forecast_.reference() + foreseen(0));
+    truth_ = find_truth(scenario_, samples_, radius_, kReferenceLimits * request_.share,
+                        [this](double spent, double whole) {
+                          forecast_.learn_reference(whole, 100);
+                          tell("reference", 0, std::max(0.0, whole - spent) + foreseen(0));
+                        });
+    forecast_.learn_reference(truth_.reference.seconds, truth_.reference.digits);
   }
 
-  AccuracyRow new_row(Method method, std::optional<double> step, int digits,
-                      const AccuracyCrew& crew) const {
+  static AccuracyRow new_row(const Planned& planned, std::size_t balls) {
     AccuracyRow row;
-    row.method = method;
-    row.step = step;
-    row.digits = digits;
-    row.per_ball = crew.per_ball;
-    row.workers = crew.per_ball ? std::max<std::size_t>(1, study_.balls) : crew.workers;
+    row.method = planned.way.method;
+    row.step = planned.way.step;
+    row.digits = planned.way.digits;
+    row.per_ball = planned.crew.per_ball;
+    row.workers = planned.crew.per_ball ? std::max<std::size_t>(1, balls) : planned.crew.workers;
     return row;
   }
 
   /// A run that fails is a row that says so.
-  const AccuracyRow& run_row(Method method, std::optional<double> step, int digits) {
-    AccuracyRow row = new_row(method, step, digits, crews_.front());
-    remaining_.tell(std::max(0.1, left_), name_of(row));
+  void run_planned() {
+    const Planned planned = plan_[at_];
+    AccuracyRow row = new_row(planned, study_.balls);
+    const auto started = Clock::now();
+    const double later = foreseen(at_ + 1);
+    const double mine = forecast_.row(planned.way);
+    const Stopped stopped = [&] {
+      const double spent = std::chrono::duration<double>(Clock::now() - started).count();
+      tell(name_of(planned.way), at_ + 1, std::max(0.0, mine - spent) + later);
+      return false;
+    };
+    (void)stopped();
     std::optional<Loss> loss;
     try {
-      if (method == Method::event && !truth_.reference.step && digits >= truth_.reference.digits) {
-        throw TooLong("there is no wider run to hold it against within the time it may take");
+      if (row.method == Method::event && !truth_.reference.step &&
+          row.digits >= truth_.reference.digits) {
+        throw TooLong("there is no run with more digits to compare it with in the time limit");
       }
-      loss = assess(row, scenario_, samples_, truth_, radius_);
-      time_runs(row, scenario_, crews_.front(), request_.share);
+      loss = assess(row, scenario_, samples_, truth_, radius_, stopped);
+      time_runs(row, scenario_, planned.crew, request_.share, stopped);
+    } catch (const StopAsked&) {
+      throw;
     } catch (const SceneError& error) {
       row.failure = error.problems().front().place + ": " + error.problems().front().message;
     } catch (const std::exception& error) {
@@ -111,70 +177,80 @@ class Study {
     }
     if (!row.failure.empty()) loss.reset();
     if (loss) losses_[study_.rows.size()] = *loss;
+    finish(std::move(row));
+    if (study_.rows.back().step) end_steps_where_too_long(study_.rows.back());
+  }
+
+  void finish(AccuracyRow row) {
+    forecast_.learn(row);
     study_.rows.push_back(std::move(row));
-    return study_.rows.back();
+    if (request_.row_done) request_.row_done(study_.rows.back());
   }
 
-  /// The ladder of steps, down to the run that takes more than its share.
-  void climb_down(Method method) {
-    double step = kLongestStep;
-    double before = 0;
-    for (int rung = 0; rung < kRungs; ++rung, step /= 2) {
-      // What the rungs to come would take, each twice the one before up to a share.
-      left_ = 0;
-      double next = 2 * before;
-      for (int later = rung; later < kRungs && next < 2 * request_.share; ++later, next *= 2) {
-        left_ += kTimesRun * next;
-      }
-      const AccuracyRow& row = run_row(method, step, 16);
-      if (!row.failure.empty()) {
-        end_ladder(fmt::format("{}: {}", name_of(row), row.failure));
-        return;
-      }
-      before = row.seconds;
-      if (before > request_.share && rung + 1 < kRungs) {
-        end_ladder(
-            fmt::format("{} took {:.3g} s, and the share of a run is {:.3g} s; --share gives more",
-                        name_of(row), before, request_.share));
-        return;
-      }
+  /// After a run that takes more than the time limit no shorter steps are tried.
+  void end_steps_where_too_long(const AccuracyRow& row) {
+    const auto is_shorter = [&](const Planned& planned) {
+      return planned.way.method == row.method && planned.way.step && *planned.way.step < *row.step;
+    };
+    const auto rest = plan_.begin() + static_cast<std::ptrdiff_t>(at_) + 1;
+    if (std::none_of(rest, plan_.end(), is_shorter)) return;
+    const std::string name = name_of(plan_[at_].way);
+    std::string why;
+    if (!row.failure.empty()) {
+      why = fmt::format("{}: {}", name, row.failure);
+    } else if (row.seconds > request_.share) {
+      why = fmt::format(
+          "{} took {:.3g} s, and the time limit of a run is {:.3g} s; --share raises it", name,
+          row.seconds, request_.share);
+    } else {
+      return;
     }
-  }
-
-  void end_ladder(const std::string& why) {
     study_.ladder_end += (study_.ladder_end.empty() ? "" : "; ") + why;
+    plan_.erase(std::remove_if(rest, plan_.end(), is_shorter), plan_.end());
   }
 
-  /// The same runs on another crew: one of each method, in steps that of the scene or the rung
-  /// below.
-  void run_on(const AccuracyCrew& crew) {
+  /// The same runs on the other crews: one of each method, in steps that of the scene or the next
+  /// shorter.
+  void plan_other_crews() {
     const double wanted = scenario_.start.solver.step;
-    const std::size_t count = study_.rows.size();
-    for (const Method method : {Method::event, Method::overlap}) {
-      std::optional<std::size_t> chosen;
-      for (std::size_t i = 0; i < count; ++i) {
-        const AccuracyRow& row = study_.rows[i];
-        if (row.method != method || !row.failure.empty() || same_run_.contains(i)) continue;
-        const bool too_long = chosen && study_.rows[*chosen].step.value_or(0) > wanted;
-        if (!chosen || too_long) chosen = i;
+    unplanned_ = 0;
+    for (std::size_t crew = 1; crew < crews_.size(); ++crew) {
+      for (const Method method : {Method::event, Method::overlap}) {
+        std::optional<std::size_t> chosen;
+        for (std::size_t i = 0; i < study_.rows.size(); ++i) {
+          const AccuracyRow& row = study_.rows[i];
+          if (row.method != method || !row.failure.empty()) continue;
+          const bool too_long = chosen && study_.rows[*chosen].step.value_or(0) > wanted;
+          if (!chosen || too_long) chosen = i;
+        }
+        if (!chosen) continue;
+        const AccuracyRow& row = study_.rows[*chosen];
+        plan_.push_back({{row.method, row.step, row.digits}, crews_[crew], chosen});
       }
-      if (chosen) run_on(crew, *chosen);
     }
   }
 
-  void run_on(const AccuracyCrew& crew, std::size_t number) {
-    AccuracyRow row = study_.rows[number];
-    if (!row.failure.empty()) return;
-    row.per_ball = crew.per_ball;
-    row.workers = crew.per_ball ? std::max<std::size_t>(1, study_.balls) : crew.workers;
-    remaining_.tell(kTimesRun * row.seconds, name_of(row) + " on another crew");
+  void run_on_other_crew() {
+    const Planned& planned = plan_[at_];
+    AccuracyRow row = study_.rows[*planned.same];
+    row.per_ball = planned.crew.per_ball;
+    row.workers =
+        planned.crew.per_ball ? std::max<std::size_t>(1, study_.balls) : planned.crew.workers;
+    const Stopped stopped = [&] {
+      tell(name_of(planned.way) + " on other workers", at_ + 1, foreseen(at_));
+      return false;
+    };
+    (void)stopped();
     try {
-      time_runs(row, scenario_, crew, request_.share);
+      time_runs(row, scenario_, planned.crew, request_.share, stopped);
+    } catch (const StopAsked&) {
+      throw;
     } catch (const std::exception& error) {
       row.failure = error.what();
     }
-    same_run_[study_.rows.size()] = number;
+    same_run_[study_.rows.size()] = *planned.same;
     study_.rows.push_back(std::move(row));
+    if (request_.row_done) request_.row_done(study_.rows.back());
   }
 
   /// Looks closer at when each run was lost.
@@ -185,13 +261,18 @@ class Study {
       }
     }
     if (truth_.at_fine.empty()) return;
-    const double whole = truth_.reference.seconds;
-    refine_truth(truth_, scenario_, samples_,
-                 [&](double part) { remaining_.tell((1 - part) * whole, "horizons"); });
+    double runs = 0;
+    for (const auto& [row, loss] : losses_) runs += study_.rows[row].seconds;
+    refine_truth(truth_, scenario_, samples_, [&](double spent, double whole) {
+      tell("predictability horizons", 0, std::max(0.0, whole - spent) + runs);
+    });
     for (const auto& [number, loss] : losses_) {
       AccuracyRow& row = study_.rows[number];
-      remaining_.tell(row.seconds, "horizons");
-      refine_horizon(row, loss, scenario_, samples_, truth_, radius_);
+      refine_horizon(row, loss, scenario_, samples_, truth_, radius_, [&] {
+        tell("predictability horizons", 0, runs);
+        return false;
+      });
+      runs -= row.seconds;
     }
     for (const auto& [number, same] : same_run_) {
       study_.rows[number].horizon = study_.rows[same].horizon;
@@ -200,12 +281,16 @@ class Study {
   }
 
   const AccuracyRequest& request_;
+  Clock::time_point started_ = Clock::now();
+  double farthest_ = 0;  // part done, which does not go back
   Scenario scenario_;
   std::vector<AccuracyCrew> crews_;
   double radius_;
   Samples samples_;
-  Remaining remaining_;
-  double left_ = 0;
+  Forecast forecast_;
+  std::vector<Planned> plan_;
+  std::size_t at_ = 0;         // in the plan
+  std::size_t unplanned_ = 0;  // runs on other crews, two each, until it is known which
   Truth truth_;
   std::map<std::size_t, Loss> losses_;           // of rows
   std::map<std::size_t, std::size_t> same_run_;  // of rows: the same on the first crew

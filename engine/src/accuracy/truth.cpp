@@ -48,7 +48,7 @@ double foreseen(double spent, double time, double end, double apart, const Pair&
 /// Both runs side by side; fills in the truth, or says why not.
 std::optional<std::string> compute(Truth& truth, const Pair& pair, const Scenario& scenario,
                                    const Samples& samples, double smallest_radius, double allowance,
-                                   const PartDone& told) {
+                                   const Told& told) {
   truth = {};
   AccuracyReference& reference = truth.reference;
   reference.digits = pair.digits;
@@ -66,12 +66,12 @@ std::optional<std::string> compute(Truth& truth, const Pair& pair, const Scenari
     reference.difference = std::max(reference.difference, apart);
     if (apart > kLost * smallest_radius) reference.holds_until = time;
     const double spent = seconds_since(started);
-    if (spent < kJudgeCostAfter) continue;
     const double whole = foreseen(spent, time, scenario.end, apart, pair, smallest_radius);
-    told(std::min(1.0, spent / whole));
+    told(spent, whole);
+    if (spent < kJudgeCostAfter) continue;
     if (whole > allowance) {
       return fmt::format(
-          "{} digits, checked with {}, would take about {:.0f} s and may take {:.0f} "
+          "{} digits, checked with {}, would take about {:.0f} s and the time limit is {:.0f} "
           "s; give a shorter --time or a larger --share",
           pair.digits, pair.checked, whole, allowance);
     }
@@ -85,7 +85,7 @@ std::optional<std::string> compute(Truth& truth, const Pair& pair, const Scenari
 }
 
 Truth by_digits(const Scenario& scenario, const Samples& samples, double smallest_radius,
-                double allowance, const PartDone& told) {
+                double allowance, const Told& told) {
   Truth truth;
   std::string why;
   for (const Pair& pair : kPairs) {
@@ -104,7 +104,7 @@ Truth by_digits(const Scenario& scenario, const Samples& samples, double smalles
 
 /// A run in steps; as far as the one before it goes, where there is one, and was not lost.
 Truth in_steps(double step, const Truth* before, const Scenario& scenario, const Samples& samples,
-               double smallest_radius) {
+               double smallest_radius, const std::function<void()>& told) {
   Truth truth;
   truth.reference.digits = truth.reference.checked_digits = 16;
   truth.reference.step = step;
@@ -113,6 +113,7 @@ Truth in_steps(double step, const Truth* before, const Scenario& scenario, const
   const auto started = Clock::now();
   for (std::size_t sample = 1; sample <= samples.count() && !truth.reference.holds_until;
        ++sample) {
+    told();
     runner.advance_to(samples.time(sample));
     truth.at_sample.push_back(runner.simulation().exact_positions());
     if (before == nullptr || sample > count) continue;
@@ -139,18 +140,22 @@ bool is_nearer(const AccuracyReference& one, const AccuracyReference& other) {
 }
 
 Truth by_steps(const Scenario& scenario, const Samples& samples, double smallest_radius,
-               double allowance, const PartDone& told) {
-  // No step of the ladder, so that none is compared with itself.
+               double allowance, const Told& told) {
+  // No step of the sequence of steps, so that none is compared with itself.
   double step = kLongestStep * 2 / 3;
-  Truth coarse = in_steps(step, nullptr, scenario, samples, smallest_radius);
+  double spent = 0;
+  double foreseen = 0;
+  const auto tell = [&] { told(spent, std::max(spent, foreseen)); };
+  Truth coarse = in_steps(step, nullptr, scenario, samples, smallest_radius, tell);
   std::optional<Truth> best;
-  double spent = coarse.reference.seconds;
+  spent = coarse.reference.seconds;
   for (int no_better = 0; no_better < kNoBetter && step > kShortestStep;) {
     const double next = 2 * coarse.reference.seconds;
     if (best && spent + next > allowance) break;
-    told(std::min(1.0, (spent + next) / allowance));
+    foreseen = std::min(spent + 3 * next, std::max(allowance, spent));
+    tell();
     step /= 2;
-    Truth fine = in_steps(step, &coarse, scenario, samples, smallest_radius);
+    Truth fine = in_steps(step, &coarse, scenario, samples, smallest_radius, tell);
     spent += fine.reference.seconds;
     fine.reference.checked_step = 2 * step;
     const bool nearer = !best || is_nearer(fine.reference, best->reference);
@@ -159,7 +164,7 @@ Truth by_steps(const Scenario& scenario, const Samples& samples, double smallest
     coarse = std::move(fine);
     if (nearer) best = coarse;
     if (coarse.reference.holds_until && coarse.known() < samples.count()) {
-      coarse = in_steps(step, nullptr, scenario, samples, smallest_radius);
+      coarse = in_steps(step, nullptr, scenario, samples, smallest_radius, tell);
     }
   }
   best->reference.seconds = spent;
@@ -169,7 +174,7 @@ Truth by_steps(const Scenario& scenario, const Samples& samples, double smallest
 }  // namespace
 
 Truth find_truth(const Scenario& scenario, const Samples& samples, double smallest_radius,
-                 double allowance, const PartDone& told) {
+                 double allowance, const Told& told) {
   const bool steps = scenario.start.effects.attraction.has_value();
   std::string why;
   try {
@@ -186,13 +191,15 @@ Truth find_truth(const Scenario& scenario, const Samples& samples, double smalle
 }
 
 void refine_truth(Truth& truth, const Scenario& scenario, const Samples& samples,
-                  const PartDone& told) {
+                  const Told& told) {
   Runner runner(scenario, {truth.reference.method, truth.reference.step, truth.reference.digits});
+  const auto started = Clock::now();
   std::size_t done = 0;
   for (auto& [fine, places] : truth.at_fine) {
     runner.advance_to(samples.fine_time(fine));
     places = runner.simulation().exact_positions();
-    told(static_cast<double>(++done) / static_cast<double>(truth.at_fine.size()));
+    const double spent = seconds_since(started);
+    told(spent, spent / static_cast<double>(++done) * static_cast<double>(truth.at_fine.size()));
   }
 }
 

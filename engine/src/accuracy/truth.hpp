@@ -23,8 +23,8 @@ struct Truth {
   [[nodiscard]] std::size_t known() const { return at_sample.size(); }
 };
 
-/// Told now and then: the part of the work that is done.
-using PartDone = std::function<void(double)>;
+/// Told often: the seconds that were spent, and those that the whole work is foreseen to take.
+using Told = std::function<void(double spent, double whole)>;
 
 /// Balls farther from the truth than this part of the smallest radius are lost.
 inline constexpr double kLost = 0.01;
@@ -40,10 +40,9 @@ inline constexpr double kLost = 0.01;
 /// tried, or no shorter steps.
 /// Errors: NoReference.
 Truth find_truth(const Scenario& scenario, const Samples& samples, double smallest_radius,
-                 double allowance, const PartDone& told);
+                 double allowance, const Told& told);
 
 /// Runs the reference again for `truth.at_fine`, whose keys are filled in.
-void refine_truth(Truth& truth, const Scenario& scenario, const Samples& samples,
-                  const PartDone& told);
+void refine_truth(Truth& truth, const Scenario& scenario, const Samples& samples, const Told& told);
 
 }  // namespace carom::accuracy
