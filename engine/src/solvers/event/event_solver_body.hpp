@@ -450,10 +450,14 @@ void EventSolver<P>::remove(std::size_t ball) {
   start();
 }
 
-// A new field or drag bends the flights: they start anew where they are.
+// A new field or drag bends the flights: they start anew where they are.  So they do where what
+// carries balls at rest comes or goes.
 template <class P>
 void EventSolver<P>::set(const Effects& effects) {
-  const bool bends = effects.gravity || effects.drag;
+  const bool carries_otherwise =
+      P::kRests && ((effects.walls && effects.walls->on != has_walls(effects_)) ||
+                    (effects.collisions && effects.collisions->on != has_collisions(effects_)));
+  const bool bends = effects.gravity || effects.drag || carries_otherwise;
   const Turns with_present = bends ? turns(true) : Turns{};
   land();
   if (effects.walls) {

@@ -58,6 +58,8 @@ void Tile<P>::step_if_it_slips(Disk& disk) requires(P::kRests) {
 template <class P>
 void Tile<P>::wake_around(Index i, At now) requires(P::kRests) {
   if constexpr (P::Law::kBends) {
+    // Only collisions let one ball carry another, and only they keep a grid to look into.
+    if (!motion_.rules().collisions) return;
     const Vec<S> here = motion_.wrapped(motion_.place(disks_[i], now));
     for (const Index j :
          neighbours_.around(static_cast<double>(here.x), static_cast<double>(here.y))) {
