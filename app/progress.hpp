@@ -23,6 +23,7 @@ class Progress {
   void print_above(const std::string& line);
   /// Takes everything back, as far as it is still on the screen.
   void erase();
+  [[nodiscard]] bool shown() const { return shown_here_; }
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -16,6 +16,7 @@
 #include "progress.hpp"
 #include "schedule.hpp"
 #include "standard_streams.hpp"
+#include "stretch.hpp"
 #include "summary.hpp"
 #include "view/paint.hpp"
 #include "view/text_screen.hpp"
@@ -28,6 +29,11 @@ using Clock = std::chrono::steady_clock;
 bool takes_standard_output(const Options& options) {
   return is_standard_output(options.dump) || is_standard_output(options.report) ||
          is_standard_output(options.save);
+}
+
+/// Whether frames are looked at: what is written once a frame.
+bool looks_at_frames(const Options& options) {
+  return !options.dump.empty();
 }
 
 void dump_frame(const Session& session, std::uint64_t number, const Options& options,
@@ -56,9 +62,12 @@ int run(const Options& options) {
   Schedule schedule(session, options);
   Progress progress(!options.quiet);
   dump_frame(session, schedule.frame(), options, dump);
-  while (schedule.next_frame()) {
+  const bool watched = looks_at_frames(options);
+  Stretch stretch(!watched && progress.shown());
+  while (watched ? schedule.next_frame() : schedule.next_frames(stretch.frames())) {
     dump_frame(session, schedule.frame(), options, dump);
     progress.show(schedule.part_done(), session.simulation().time());
+    stretch.adapt();
   }
   progress.erase();
 

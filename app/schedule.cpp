@@ -12,6 +12,7 @@ namespace {
 constexpr double kRounding = 0x1p-50;
 // The numbers up to here that a double tells apart.
 constexpr double kMostFrames = 0x1p53;
+constexpr std::uint64_t kFarthest = std::uint64_t{1} << 53U;
 
 std::uint64_t frames_until(double clock, double rate) {
   return static_cast<std::uint64_t>(std::floor(clock * rate * (1 + kRounding)));
@@ -71,14 +72,50 @@ bool Schedule::over() {
 }
 
 bool Schedule::next_frame() {
+  return !over() && move_on(frame_ + 1);
+}
+
+// The last frames before the end are taken one by one: which of them is the last is a matter of
+// rounding.
+bool Schedule::next_frames(std::uint64_t most) {
+  constexpr std::uint64_t kOneByOne = 2;
   if (over()) return false;
-  const double rate = session_.scene().frame_rate;
-  if (!move_clock_to(static_cast<double>(frame_ + 1) / rate)) {
+  std::uint64_t last = frame_ + std::max<std::uint64_t>(1, std::min(most, kFarthest));
+  if (end_frame_) last = std::min(last, *end_frame_);
+  const auto& script = session_.scene().script;
+  const bool lines_left = next_line_ < script.size();
+  // After a line, what it does to the end is asked at the next frame.
+  if (lines_left) last = std::min(last, frame_before(script[next_line_].at) + 1);
+  if (end_time_ && !session_.paused()) {
+    const double left = std::max(0.0, *end_time_ - session_.simulation().time());
+    const std::uint64_t end = frame_before(session_.clock() + left);
+    last = std::min(last, end > kOneByOne ? end - kOneByOne : 0);
+  }
+  return move_on(std::max(last, frame_ + 1));
+}
+
+bool Schedule::move_on(std::uint64_t frame) {
+  if (!move_clock_to(clock_of(frame))) {
+    // It ended on the way: which frames it has passed, as if it had stopped at each.
+    if (frame > frame_ + 1) frame_ = std::max(frame_, frame_before(session_.clock()));
     (void)over();
     return false;
   }
-  ++frame_;
+  frame_ = frame;
   return true;
+}
+
+double Schedule::clock_of(std::uint64_t frame) const {
+  return static_cast<double>(frame) / session_.scene().frame_rate;
+}
+
+/// The last frame before an instant.
+std::uint64_t Schedule::frame_before(double clock) const {
+  const double frames = clock * session_.scene().frame_rate * (1 - kRounding);
+  auto frame = static_cast<std::uint64_t>(std::clamp(frames, 0.0, kMostFrames));
+  while (frame > 0 && clock_of(frame) >= clock) --frame;
+  while (frame < kFarthest && clock_of(frame + 1) < clock) ++frame;
+  return frame;
 }
 
 /// Along the lines of the script, so that nothing but quit happens before the end of a stretch.

@@ -21,6 +21,10 @@ class Schedule {
 
   /// Moves on to the next frame; false when the run is over, which may be between two frames.
   bool next_frame();
+  /// The same over up to `most` frames at once, from line to line of the script: for a run whose
+  /// frames are not looked at.
+  /// Holds: the run ends as one that stops at every frame, to the last bit.
+  bool next_frames(std::uint64_t most);
 
   [[nodiscard]] std::uint64_t frame() const { return frame_; }  ///< its number on the clock
   [[nodiscard]] std::uint64_t frames() const { return frame_ - first_frame_; }
@@ -29,6 +33,9 @@ class Schedule {
 
  private:
   bool over();
+  bool move_on(std::uint64_t frame);
+  [[nodiscard]] double clock_of(std::uint64_t frame) const;
+  [[nodiscard]] std::uint64_t frame_before(double clock) const;
   bool move_clock_to(double clock);
   bool move_until(double clock);
 

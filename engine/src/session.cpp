@@ -20,20 +20,21 @@ void Session::advance_clock_to(double clock) {
     apply(line.command);
   }
   if (quit_) return;
-  if (paused_) stood_still_ += clock - clock_;
   clock_ = clock;
   if (!paused_) simulation_.advance_to(clock_ - stood_still_);
 }
 
 void Session::nudge(double seconds) {
-  stood_still_ -= seconds;
   simulation_.advance_to(simulation_.time() + seconds);
+  stood_still_ = clock_ - simulation_.time();
 }
 
 void Session::apply(const Command& command) {
   if (std::holds_alternative<command::Pause>(command)) {
     paused_ = true;
   } else if (std::holds_alternative<command::Resume>(command)) {
+    // Not summed up frame by frame: a pause ends at the same instant at every frame rate.
+    if (paused_) stood_still_ = clock_ - simulation_.time();
     paused_ = false;
   } else if (std::holds_alternative<command::Quit>(command)) {
     quit_ = true;
