@@ -1,0 +1,243 @@
+#include "contact/block_cholesky.hpp"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+
+namespace carom::contact {
+namespace {
+
+std::size_t index(int k) {
+  return static_cast<std::size_t>(k);
+}
+
+std::vector<int> least_fill(int n, const std::vector<std::vector<int>>& adjacent) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < n; ++i) {
+    entries.emplace_back(i, i, 1.0);
+    for (const int j : adjacent[index(i)]) entries.emplace_back(i, j, 1.0);
+  }
+  Eigen::SparseMatrix<double> pattern(n, n);
+  pattern.setFromTriplets(entries.begin(), entries.end());
+  Eigen::PermutationMatrix<-1, -1, int> permutation;
+  Eigen::AMDOrdering<int>()(pattern, permutation);
+  std::vector<int> order(index(n));
+  for (int i = 0; i < n; ++i) order[index(i)] = permutation.indices()[i];
+  return order;
+}
+
+}  // namespace
+
+template <int D>
+void BlockCholesky<D>::analyse(const ContactProblem<D>& problem) {
+  n_ = problem.bodies();
+  const int n = static_cast<int>(n_);
+  std::vector<std::vector<int>> adjacent(n_);
+  for (const Row<D>& row : problem.rows) {
+    if (row.b < 0) continue;
+    adjacent[index(row.a)].push_back(row.b);
+    adjacent[index(row.b)].push_back(row.a);
+  }
+  std::vector<int> order(n_);
+  if (n <= 3) {
+    for (int i = 0; i < n; ++i) order[index(i)] = i;
+  } else {
+    order = least_fill(n, adjacent);
+  }
+  place_.resize(n_);
+  for (int i = 0; i < n; ++i) place_[index(order[index(i)])] = i;
+
+  std::vector<std::vector<int>> pattern(n_);
+  std::vector<std::vector<int>> children(n_);
+  std::vector<int> mark(n_, -1);
+  column_.assign(n_ + 1, 0);
+  row_.clear();
+  for (int j = 0; j < n; ++j) {
+    std::vector<int>& mine = pattern[index(j)];
+    mark[index(j)] = j;
+    const auto add = [&](int i) {
+      if (i <= j || mark[index(i)] == j) return;
+      mark[index(i)] = j;
+      mine.push_back(i);
+    };
+    for (const int other : adjacent[index(order[index(j)])]) add(place_[index(other)]);
+    for (const int child : children[index(j)]) {
+      for (const int i : pattern[index(child)]) add(i);
+    }
+    std::sort(mine.begin(), mine.end());
+    if (!mine.empty()) children[index(mine.front())].push_back(j);
+    row_.push_back(j);
+    row_.insert(row_.end(), mine.begin(), mine.end());
+    column_[index(j) + 1] = static_cast<int>(row_.size());
+  }
+  row_place_.resize(problem.rows.size());
+  for (std::size_t k = 0; k < problem.rows.size(); ++k) {
+    const Row<D>& row = problem.rows[k];
+    row_place_[k] = row.b < 0 ? -1 : find(row.a, row.b);
+  }
+  factor_.resize(row_.size());
+  inverse_.resize(n_);
+  work_.resize(n_);
+  parts_.resize(n_);
+  head_.resize(n_);
+  next_.resize(n_);
+  cursor_.resize(n_);
+}
+
+template <int D>
+int BlockCholesky<D>::find(int a, int b) const {
+  const int i = std::max(place_[index(a)], place_[index(b)]);
+  const int j = std::min(place_[index(a)], place_[index(b)]);
+  const auto begin = row_.begin() + column_[index(j)];
+  const auto end = row_.begin() + column_[index(j) + 1];
+  return static_cast<int>(std::lower_bound(begin, end, i) - row_.begin());
+}
+
+template <int D>
+void BlockCholesky<D>::subtract_product(Block& target, const Block& left, const Block& right) {
+  for (int column = 0; column < D; ++column) {
+    for (int k = 0; k < D; ++k) {
+      const double factor = right.at(column, k);
+      for (int lane = 0; lane < kLanes; ++lane) {
+        target.v[index(column * kLanes + lane)] -= left.v[index(k * kLanes + lane)] * factor;
+      }
+    }
+  }
+}
+
+template <int D>
+void BlockCholesky<D>::factor(const ContactProblem<D>& problem,
+                              const std::vector<double>& weights) {
+  std::fill(factor_.begin(), factor_.end(), Block{});
+  for (std::size_t i = 0; i < n_; ++i) {
+    Block& diagonal = factor_[index(column_[index(place_[i])])];
+    for (int c = 0; c < D; ++c) diagonal.at(c, c) = 1 / problem.inverse_mass[i * D + index(c)];
+  }
+  for (std::size_t k = 0; k < problem.rows.size(); ++k) {
+    const Row<D>& row = problem.rows[k];
+    const double weight = weights[k];
+    Block& a = factor_[index(column_[index(place_[index(row.a)])])];
+    for (int c = 0; c < D; ++c) {
+      for (int e = 0; e < D; ++e) a.at(e, c) += weight * row.of_a(e) * row.of_a(c);
+    }
+    if (row.b < 0) continue;
+    Block& b = factor_[index(column_[index(place_[index(row.b)])])];
+    Block& between = factor_[index(row_place_[k])];
+    const bool a_is_later = place_[index(row.a)] > place_[index(row.b)];
+    for (int c = 0; c < D; ++c) {
+      for (int e = 0; e < D; ++e) {
+        b.at(e, c) += weight * row.j[e] * row.j[c];
+        between.at(e, c) += weight * (a_is_later ? row.of_a(e) * row.j[c] : row.j[e] * row.of_a(c));
+      }
+    }
+  }
+  std::fill(head_.begin(), head_.end(), -1);
+  for (std::size_t j = 0; j < n_; ++j) {
+    const int begin = column_[j];
+    const int end = column_[j + 1];
+    for (int q = begin; q < end; ++q) work_[index(row_[index(q)])] = factor_[index(q)];
+    for (int k = head_[j]; k >= 0;) {
+      const int following = next_[index(k)];
+      int q = cursor_[index(k)];
+      const int last = column_[index(k) + 1];
+      const Block right = factor_[index(q)];
+      for (int r = q; r < last; ++r) {
+        subtract_product(work_[index(row_[index(r)])], factor_[index(r)], right);
+      }
+      cursor_[index(k)] = ++q;
+      if (q < last) {
+        const auto waits = index(row_[index(q)]);
+        next_[index(k)] = head_[waits];
+        head_[waits] = k;
+      }
+      k = following;
+    }
+    factor_diagonal(j);
+    for (int q = begin + 1; q < end; ++q) {
+      Block x{};
+      subtract_product(x, work_[index(row_[index(q)])], inverse_[j]);
+      for (double& value : x.v) value = -value;
+      factor_[index(q)] = x;
+    }
+    if (begin + 1 < end) {
+      cursor_[j] = begin + 1;
+      const auto waits = index(row_[index(begin + 1)]);
+      next_[j] = head_[waits];
+      head_[waits] = static_cast<int>(j);
+    }
+  }
+}
+
+template <int D>
+void BlockCholesky<D>::factor_diagonal(std::size_t j) {
+  constexpr double kLeastPivot = 1e-15;
+  const Block& w = work_[j];
+  Block c{};
+  Block u{};
+  for (int a = 0; a < D; ++a) {
+    double s = w.at(a, a);
+    for (int m = 0; m < a; ++m) s -= c.at(a, m) * c.at(a, m);
+    const double pivot = std::sqrt(std::max(s, kLeastPivot * std::abs(w.at(a, a))));
+    c.at(a, a) = pivot;
+    for (int i = a + 1; i < D; ++i) {
+      double t = w.at(i, a);
+      for (int m = 0; m < a; ++m) t -= c.at(i, m) * c.at(a, m);
+      c.at(i, a) = t / pivot;
+    }
+  }
+  for (int a = 0; a < D; ++a) {
+    u.at(a, a) = 1 / c.at(a, a);
+    for (int i = a + 1; i < D; ++i) {
+      double t = 0;
+      for (int m = a; m < i; ++m) t -= c.at(i, m) * u.at(m, a);
+      u.at(i, a) = t / c.at(i, i);
+    }
+  }
+  factor_[index(column_[j])] = c;
+  inverse_[j] = u;
+}
+
+template <int D>
+void BlockCholesky<D>::solve(std::vector<double>& x) {
+  for (std::size_t i = 0; i < n_; ++i) {
+    for (int c = 0; c < D; ++c) parts_[index(place_[i])].v[index(c)] = x[i * D + index(c)];
+  }
+  for (std::size_t j = 0; j < n_; ++j) {
+    Part y{};
+    for (int c = 0; c < D; ++c) {
+      for (int e = c; e < D; ++e) y.v[index(e)] += inverse_[j].at(e, c) * parts_[j].v[index(c)];
+    }
+    parts_[j] = y;
+    for (int q = column_[j] + 1; q < column_[j + 1]; ++q) {
+      Part& target = parts_[index(row_[index(q)])];
+      for (int c = 0; c < D; ++c) {
+        for (int e = 0; e < D; ++e)
+          target.v[index(e)] -= factor_[index(q)].at(e, c) * y.v[index(c)];
+      }
+    }
+  }
+  for (std::size_t j = n_; j-- > 0;) {
+    Part y = parts_[j];
+    for (int q = column_[j] + 1; q < column_[j + 1]; ++q) {
+      const Part& source = parts_[index(row_[index(q)])];
+      for (int c = 0; c < D; ++c) {
+        for (int e = 0; e < D; ++e)
+          y.v[index(c)] -= factor_[index(q)].at(e, c) * source.v[index(e)];
+      }
+    }
+    Part out{};
+    for (int c = 0; c < D; ++c) {
+      for (int e = c; e < D; ++e) out.v[index(c)] += inverse_[j].at(e, c) * y.v[index(e)];
+    }
+    parts_[j] = out;
+  }
+  for (std::size_t i = 0; i < n_; ++i) {
+    for (int c = 0; c < D; ++c) x[i * D + index(c)] = parts_[index(place_[i])].v[index(c)];
+  }
+}
+
+template class BlockCholesky<2>;
+template class BlockCholesky<3>;
+
+}  // namespace carom::contact

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "contact/contact_rows.hpp"
+
+namespace carom::contact {
+
+/// The factors of M + J' W J, one D x D block a body: the matrix of a contact problem in the space
+/// of its bodies, W a weight for each row.
+///
+/// The bodies are eliminated in an order of least fill (approximate minimum degree); the pattern of
+/// the factor is worked out from the rows once, and serves for any weights.
+/// REQUIRES: analyse() before factor(), factor() before solve().
+template <int D>
+class BlockCholesky {
+ public:
+  void analyse(const ContactProblem<D>& problem);
+  void factor(const ContactProblem<D>& problem, const std::vector<double>& weights);
+  /// Turns the right side into the solution, in place.
+  void solve(std::vector<double>& x);
+
+ private:
+  static constexpr int kLanes = D == 2 ? 2 : 4;  // a column of a block, padded to whole registers
+  struct alignas(32) Block {
+    std::array<double, std::size_t{D} * kLanes> v{};
+    double& at(int row, int column) { return v[static_cast<std::size_t>(column * kLanes + row)]; }
+    [[nodiscard]] double at(int row, int column) const {
+      return v[static_cast<std::size_t>(column * kLanes + row)];
+    }
+  };
+  struct alignas(16) Part {
+    std::array<double, D> v{};
+  };
+
+  static void subtract_product(Block& target, const Block& left, const Block& right);
+  void factor_diagonal(std::size_t j);
+  [[nodiscard]] int find(int a, int b) const;
+
+  std::size_t n_ = 0;
+  std::vector<int> place_;   // by body: when it is eliminated
+  std::vector<int> column_;  // where each column starts; its first block is the diagonal one
+  std::vector<int> row_;
+  std::vector<int> row_place_;  // by row of the problem: its block off the diagonal
+  std::vector<int> head_;
+  std::vector<int> next_;
+  std::vector<int> cursor_;
+  std::vector<Block> factor_;
+  std::vector<Block> inverse_;  // of the diagonal factors
+  std::vector<Block> work_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace carom::contact

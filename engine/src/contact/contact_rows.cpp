@@ -1,0 +1,72 @@
+#include "contact/contact_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::contact {
+
+template <int D>
+void ContactProblem<D>::weigh() {
+  for (Row<D>& row : rows) {
+    row.w = 0;
+    for (int c = 0; c < D; ++c) {
+      const double square = row.j[c] * row.j[c];
+      row.w += inverse_mass[static_cast<std::size_t>(row.a * D + c)] * square;
+      if (row.b >= 0) row.w += inverse_mass[static_cast<std::size_t>(row.b * D + c)] * square;
+    }
+  }
+}
+
+template <int D>
+void ContactProblem<D>::spread(const std::vector<double>& impulses, std::vector<double>& motion,
+                               bool by_mass) const {
+  motion.assign(inverse_mass.size(), 0.0);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double f = impulses[k];
+    if (f == 0) continue;
+    const Row<D>& row = rows[k];
+    double* a = motion.data() + row.a * D;
+    for (int c = 0; c < D; ++c) a[c] += f * row.of_a(c);
+    if (row.b < 0) continue;
+    double* b = motion.data() + row.b * D;
+    for (int c = 0; c < D; ++c) b[c] += f * row.j[c];
+  }
+  if (!by_mass) return;
+  for (std::size_t i = 0; i < motion.size(); ++i) motion[i] *= inverse_mass[i];
+}
+
+template <int D>
+void ContactProblem<D>::gather(const std::vector<double>& motion,
+                               std::vector<double>& opening) const {
+  opening.resize(rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Row<D>& row = rows[k];
+    const double* a = motion.data() + row.a * D;
+    double sum = 0;
+    for (int c = 0; c < D; ++c) sum += row.of_a(c) * a[c];
+    if (row.b >= 0) {
+      const double* b = motion.data() + row.b * D;
+      for (int c = 0; c < D; ++c) sum += row.j[c] * b[c];
+    }
+    opening[k] = sum;
+  }
+}
+
+template <int D>
+double ContactProblem<D>::residual(const std::vector<double>& impulses) const {
+  std::vector<double> motion;
+  std::vector<double> opening;
+  spread(impulses, motion, true);
+  gather(motion, opening);
+  double worst = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double speed = opening[k] + rows[k].q;
+    worst = std::max(worst, impulses[k] > 0 ? std::abs(speed) : std::max(0.0, -speed));
+  }
+  return worst;
+}
+
+template struct ContactProblem<2>;
+template struct ContactProblem<3>;
+
+}  // namespace carom::contact

@@ -1,0 +1,154 @@
+#include "contact/interior_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::contact {
+namespace {
+
+constexpr int kCorrections = 2;
+constexpr int kIterations = 45;
+constexpr int kMoreIterations = 150;
+constexpr double kCompliance = 1e-13;  // keeps the pivots positive
+constexpr double kAlmost = 0.995;      // of the way to the border
+
+}  // namespace
+
+template <int D>
+void InteriorPoint<D>::start(const ContactProblem<D>& problem, double impulse, double speed) {
+  const std::size_t m = problem.rows.size();
+  for (std::size_t k = 0; k < m; ++k) {
+    x_[k] = impulse * speed / problem.rows[k].w;
+    y_[k] = std::max(problem.rows[k].q, speed);
+  }
+  problem.spread(x_, motion_, true);
+}
+
+template <int D>
+void InteriorPoint<D>::direction(const ContactProblem<D>& problem, Column& dx, Column& dy) {
+  const std::size_t m = x_.size();
+  for (std::size_t k = 0; k < m; ++k) {
+    scratch_[k] = weight_[k] * (target_[k] * inverse_x_[k] - miss_[k]);
+  }
+  problem.spread(scratch_, change_, false);
+  matrix_.solve(change_);
+  problem.gather(change_, opening_);
+  for (std::size_t k = 0; k < m; ++k) {
+    dx[k] = scratch_[k] - weight_[k] * opening_[k];
+    dy[k] = (target_[k] - y_[k] * dx[k]) * inverse_x_[k];
+  }
+}
+
+template <int D>
+double InteriorPoint<D>::longest(const Column& dx, const Column& dy, double part) const {
+  double length = 1;
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    if (dx[k] < 0) length = std::min(length, -part * x_[k] / dx[k]);
+    if (dy[k] < 0) length = std::min(length, -part * y_[k] / dy[k]);
+  }
+  return length;
+}
+
+template <int D>
+int InteriorPoint<D>::iterate(const ContactProblem<D>& problem, double goal, int most) {
+  const std::size_t m = x_.size();
+  const auto count = static_cast<double>(m);
+  for (int iteration = 0; iteration < most; ++iteration) {
+    problem.gather(motion_, opening_);
+    double mean = 0;
+    double gap = 0;
+    double worst = 0;
+    for (std::size_t k = 0; k < m; ++k) {
+      miss_[k] = opening_[k] + problem.rows[k].q - y_[k];
+      mean += x_[k] * y_[k];
+      gap = std::max(gap, std::min(x_[k] * problem.rows[k].w, y_[k]));
+      worst = std::max(worst, std::abs(miss_[k]));
+    }
+    mean /= count;
+    if (!std::isfinite(mean) || (gap < goal / 2 && worst < goal / 2)) return iteration;
+    for (std::size_t k = 0; k < m; ++k) {
+      inverse_x_[k] = 1 / x_[k];
+      weight_[k] = 1 / (y_[k] * inverse_x_[k] + kCompliance * problem.rows[k].w);
+    }
+    matrix_.factor(problem, weight_);
+
+    for (std::size_t k = 0; k < m; ++k) target_[k] = -x_[k] * y_[k];
+    direction(problem, dx_, dy_);
+    double length = longest(dx_, dy_, 1);
+    double ahead = 0;
+    for (std::size_t k = 0; k < m; ++k) {
+      ahead += (x_[k] + length * dx_[k]) * (y_[k] + length * dy_[k]);
+    }
+    const double ratio = ahead / count / mean;
+    const double centre = ratio * ratio * ratio * mean;
+    for (std::size_t k = 0; k < m; ++k) target_[k] += centre - dx_[k] * dy_[k];
+    direction(problem, dx_, dy_);
+    length = longest(dx_, dy_, kAlmost);
+    for (int correction = 0; correction < kCorrections && length < 0.9; ++correction) {
+      const double farther = std::min(1.0, length + 0.2);
+      const double low = 0.1 * centre;
+      const double high = 10 * centre;
+      for (std::size_t k = 0; k < m; ++k) {
+        const double product = (x_[k] + farther * dx_[k]) * (y_[k] + farther * dy_[k]);
+        if (product < low) {
+          target_[k] += low - product;
+        } else if (product > high) {
+          target_[k] += std::max(high - product, -high);
+        }
+      }
+      direction(problem, other_dx_, other_dy_);
+      const double other = longest(other_dx_, other_dy_, kAlmost);
+      if (other < length + 0.01) break;
+      dx_.swap(other_dx_);
+      dy_.swap(other_dy_);
+      length = other;
+    }
+    for (std::size_t k = 0; k < m; ++k) {
+      x_[k] += length * dx_[k];
+      y_[k] += length * dy_[k];
+    }
+    problem.spread(x_, motion_, true);
+  }
+  return most;
+}
+
+template <int D>
+typename InteriorPoint<D>::Outcome InteriorPoint<D>::solve(const ContactProblem<D>& problem,
+                                                           double goal,
+                                                           std::vector<double>& impulses) {
+  const std::size_t m = problem.rows.size();
+  impulses.assign(m, 0.0);
+  Outcome best;
+  best.residual = problem.residual(impulses);
+  if (m == 0 || best.residual < goal) return best;
+  matrix_.analyse(problem);
+  for (Column* column : {&x_, &y_, &dx_, &dy_, &other_dx_, &other_dy_, &inverse_x_, &weight_,
+                         &miss_, &target_, &scratch_, &opening_}) {
+    column->resize(m);
+  }
+  double fastest = goal;
+  for (const Row<D>& row : problem.rows) fastest = std::max(fastest, std::abs(row.q));
+  Column found(m);
+  for (const double larger : {1.0, 1e3, 1e6}) {
+    start(problem, larger, 0.1 * fastest);
+    best.factorisations += iterate(problem, goal, larger == 1 ? kIterations : kMoreIterations);
+    bool finite = true;
+    for (std::size_t k = 0; k < m; ++k) {
+      finite = finite && std::isfinite(x_[k]);
+      found[k] = x_[k] * problem.rows[k].w > y_[k] ? x_[k] : 0;
+    }
+    const double residual = finite ? problem.residual(found) : best.residual;
+    if (finite && residual < best.residual) {
+      best.residual = residual;
+      impulses = found;
+    }
+    best.solved = best.residual < 2 * goal;
+    if (best.solved) break;
+  }
+  return best;
+}
+
+template class InteriorPoint<2>;
+template class InteriorPoint<3>;
+
+}  // namespace carom::contact

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/block_cholesky.hpp"
+#include "contact/contact_rows.hpp"
+
+namespace carom::contact {
+
+/// Solves contact problems: min 1/2 f' W f + q' f over f >= 0, W = J M^-1 J'.
+///
+/// A primal-dual interior point with Mehrotra's predictor and Gondzio's correctors; its Newton
+/// system is solved in the space of the bodies, (M + J' D J) dv = r, because W of a settled pile is
+/// nearly singular and M + J' D J is not. A start that stalls (a ball a million times heavier than
+/// the next) is tried again with larger impulses.
+///
+/// Holds: the answer is a function of the problem alone: nothing is kept from solve to solve.
+/// Source: Mehrotra, SIAM J. Optim. 2 (1992) 575; Gondzio, Comput. Optim. Appl. 6 (1996) 137.
+template <int D>
+class InteriorPoint {
+ public:
+  struct Outcome {
+    bool solved = true;
+    double residual = 0;  ///< the largest speed by which the conditions are missed
+    int factorisations = 0;
+  };
+
+  /// The least impulses >= 0 after which no row closes faster than `goal`, a speed.
+  Outcome solve(const ContactProblem<D>& problem, double goal, std::vector<double>& impulses);
+
+ private:
+  using Column = std::vector<double>;
+
+  void start(const ContactProblem<D>& problem, double impulse, double speed);
+  int iterate(const ContactProblem<D>& problem, double goal, int most);
+  void direction(const ContactProblem<D>& problem, Column& dx, Column& dy);
+  [[nodiscard]] double longest(const Column& dx, const Column& dy, double part) const;
+
+  BlockCholesky<D> matrix_;
+  Column x_;  // impulses
+  Column y_;  // opening speeds
+  Column dx_, dy_, other_dx_, other_dy_;
+  Column inverse_x_, weight_, miss_, target_, scratch_, opening_;
+  Column motion_, change_;
+};
+
+}  // namespace carom::contact
