@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "carom/crew.hpp"
 #include "carom/scene_file.hpp"
+#include "impact_record.hpp"
 #include "scene/available.hpp"
 #include "solvers/event/make_event_solver.hpp"
 #include "solvers/integrated/integrated_solver.hpp"
@@ -47,7 +49,10 @@ class Simulation::Implementation {
         time_(scene.continuation ? scene.continuation->time : 0),
         crew_(workers_for(balls.size()), solver_->phases()),
         energy_initial_(solver_->energy()),
-        momentum_initial_(solver_->momentum()) {
+        momentum_initial_(solver_->momentum()),
+        ids_(balls.size()),
+        next_id_(balls.size()) {
+    std::iota(ids_.begin(), ids_.end(), std::size_t{0});
     scene_.balls.clear();
     scene_.fills.clear();
     scene_.script.clear();
@@ -62,7 +67,10 @@ class Simulation::Implementation {
 
   void obey(const command::Add& add) {
     check_room(add.ball);
+    collect_impacts();
     solver_->add(add.ball);
+    ids_.push_back(next_id_++);
+    note({.kind = ImpactKind::add, .a = ids_.back(), .position = add.ball.position});
     fit_crew();
   }
   void obey(const command::Remove& remove) {
@@ -72,7 +80,11 @@ class Simulation::Implementation {
     if (ball >= n) {
       throw CommandError(fmt::format("there is no ball {} to remove: there are {}", ball, n));
     }
+    collect_impacts();
+    const auto place = static_cast<std::ptrdiff_t>(ball);
+    note({.kind = ImpactKind::remove, .a = ids_[ball], .position = position_of(ball)});
     solver_->remove(ball);
+    ids_.erase(ids_.begin() + place);
     fit_crew();
   }
   void obey(const command::SetEffects& set) {
@@ -83,6 +95,7 @@ class Simulation::Implementation {
     });
     check_inside(set.effects);
     solver_->set(set.effects);
+    note({.kind = ImpactKind::set});
     assign(scene_.effects, set.effects);
   }
   void obey(const command::SetStep& set) {
@@ -90,6 +103,7 @@ class Simulation::Implementation {
       throw CommandError(fmt::format("a step must be greater than 0, got {}", set.step));
     }
     solver_->set_step(set.step);
+    note({.kind = ImpactKind::set});
     scene_.solver.step = set.step;
   }
   template <class Other>
@@ -125,6 +139,18 @@ class Simulation::Implementation {
     return scene;
   }
 
+  void record_impacts(bool wanted) {
+    solver_->record_impacts(wanted);
+    recording_ = wanted;
+    record_ = {};
+  }
+  std::vector<Impact> take_impacts() {
+    collect_impacts();
+    return record_.take();
+  }
+  const std::vector<std::size_t>& ids() const { return ids_; }
+
+  Crew& crew() { return crew_; }
   const Scene& scene() const { return scene_; }
   Method method() const { return method_; }
   const Solver& solver() const { return *solver_; }
@@ -142,6 +168,23 @@ class Simulation::Implementation {
     if (workers == crew_.workers()) return;
     crew_.resize(workers);
     solver_->set_workers(crew_.workers());
+  }
+
+  /// Before balls get other numbers.
+  void collect_impacts() {
+    if (!recording_) return;
+    std::vector<Impact> impacts;
+    solver_->take_impacts(impacts);
+    record_.add(std::move(impacts), ids_);
+  }
+  void note(Impact command) {
+    if (!recording_) return;
+    collect_impacts();
+    command.time = time_;
+    record_.add(command);
+  }
+  Vec2 position_of(std::size_t ball) const {
+    return recording_ ? solver_->state().at(ball).position : Vec2{0, 0};
   }
 
   /// Walls cannot come back around balls that have left.
@@ -199,6 +242,10 @@ class Simulation::Implementation {
   double energy_initial_;
   Vec2 momentum_initial_;
   double energy_input_ = 0;
+  std::vector<std::size_t> ids_;  // of the balls, in their order
+  std::size_t next_id_;
+  bool recording_ = false;
+  ImpactRecord record_;
 };
 
 Simulation::Simulation(const Scene& scene)
@@ -257,6 +304,21 @@ std::string Simulation::state_hash() const {
 }
 Scene Simulation::save() const {
   return implementation_->save();
+}
+const std::vector<std::size_t>& Simulation::ids() const {
+  return implementation_->ids();
+}
+void Simulation::record_impacts(bool wanted) {
+  implementation_->record_impacts(wanted);
+}
+std::vector<Impact> Simulation::take_impacts() {
+  return implementation_->take_impacts();
+}
+void Simulation::record_timeline(std::size_t frames) {
+  implementation_->crew().record_timeline(frames);
+}
+Timeline Simulation::timeline(std::size_t frames) const {
+  return implementation_->crew().timeline(frames);
 }
 
 }  // namespace carom

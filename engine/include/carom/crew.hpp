@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "carom/measurements.hpp"
+#include "carom/timeline.hpp"
 
 namespace carom {
 
@@ -78,6 +79,12 @@ class Crew {
   [[nodiscard]] std::vector<BarrierStatus> barriers() const;
   /// Wall-clock seconds spent in each phase so far, in the order of the phases.
   [[nodiscard]] Seconds seconds() const;
+
+  /// Records from now on what every thread does between the barriers, and keeps the last `frames`
+  /// frames; 0: no longer, and forgets them.  Between frames.  Nothing is allocated in a phase.
+  void record_timeline(std::size_t frames);
+  /// The last `frames` frames that were recorded, or all that are kept.  Between frames.
+  [[nodiscard]] Timeline timeline(std::size_t frames = static_cast<std::size_t>(-1)) const;
 
  private:
   class Implementation;

@@ -8,8 +8,10 @@
 #include "carom/command.hpp"
 #include "carom/exact_position.hpp"
 #include "carom/frame.hpp"
+#include "carom/impact.hpp"
 #include "carom/measurements.hpp"
 #include "carom/scene.hpp"
+#include "carom/timeline.hpp"
 
 namespace carom {
 
@@ -56,6 +58,22 @@ class Simulation {
   [[nodiscard]] std::string state_hash() const;
   /// The present state as a scene that goes on bit for bit; without script and frame clock.
   [[nodiscard]] Scene save() const;
+
+  /// The number that each ball of `state` keeps for good: its place among the scene's balls, its
+  /// fills and later additions, whatever has been removed.
+  [[nodiscard]] const std::vector<std::size_t>& ids() const;
+
+  /// Notes every impact and command from now on, or none any more.  Nothing else changes.
+  void record_impacts(bool wanted);
+  /// Those noted since the last call, in the order of is_before, numbered from 0 on through all
+  /// calls.  The same for any number of workers.
+  [[nodiscard]] std::vector<Impact> take_impacts();
+
+  /// Records from now on what the control thread and the workers do between the barriers, and keeps
+  /// the last `frames` calls of `advance_to`; 0: no longer, and forgets them.
+  void record_timeline(std::size_t frames);
+  /// The last `frames` of them, or all that are kept.
+  [[nodiscard]] Timeline timeline(std::size_t frames = static_cast<std::size_t>(-1)) const;
 
  private:
   class Implementation;

@@ -11,6 +11,7 @@
 
 #include "carom/barrier.hpp"
 #include "crew/thread.hpp"
+#include "crew/timeline_recorder.hpp"
 
 namespace carom {
 namespace {
@@ -63,7 +64,10 @@ class Crew::Implementation {
   void do_frame(std::size_t first) {
     current_ = first;
     phase_began_ = Clock::now();
-    if (do_frame_.arrive_and_wait() && frame_done_.arrive_and_wait()) return;
+    if (recorder_ ? meet_recorded()
+                  : do_frame_.arrive_and_wait() && frame_done_.arrive_and_wait()) {
+      return;
+    }
     stop();
     failure_.rethrow();
   }
@@ -101,26 +105,56 @@ class Crew::Implementation {
     return result;
   }
 
+  void record_timeline(std::size_t frames) {
+    recorder_ = frames == 0 ? nullptr : std::make_shared<TimelineRecorder>(frames);
+    if (recorder_) recorder_->set_workers(threads_.size());
+  }
+
+  [[nodiscard]] Timeline timeline(std::size_t frames) const {
+    Timeline result = recorder_ ? recorder_->timeline(frames) : Timeline{};
+    for (const BarrierStatus& barrier : barriers()) result.barriers.push_back(barrier.name);
+    return result;
+  }
+
  private:
   /// The life of a worker.
   void work(std::size_t index) {
+    WorkerTimeline timeline(index);
+    const auto frame_done = static_cast<std::uint32_t>(phases_.size() + 1);
     try {
       while (do_frame_.arrive_and_wait()) {
         if (index >= count_) {
           change_parties(&Barrier::leave);
           return;
         }
+        timeline.begin_frame(recorder_);
         while (current_ != Phase::kFrameDone) {
           const std::size_t phase = current_;
           phases_[phase].work(Share{index, count_});
+          timeline.arrive();
           if (!phase_done_[phase]->arrive_and_wait()) return;
+          timeline.leave(static_cast<std::uint32_t>(phase + 1));
         }
+        timeline.arrive_at_frame_done(frame_done);
         if (!frame_done_.arrive_and_wait()) return;
+        timeline.leave_frame_done();
       }
     } catch (...) {
       failure_.add(index, std::current_exception());
       cancel();
     }
+  }
+
+  [[nodiscard]] bool meet_recorded() {
+    TimelineRing& ring = recorder_->control();
+    ring.begin_frame(recorder_->frames(), recorder_->most_entries());
+    const std::int64_t begin = recorder_->now();
+    if (!do_frame_.arrive_and_wait()) return false;
+    const std::int64_t begun = recorder_->now();
+    if (!frame_done_.arrive_and_wait()) return false;
+    ring.add({begin, begun, recorder_->now(), recorder_->frame(), 0});
+    recorder_->end_frame();
+    return true;
   }
 
   /// Run by the last worker to end a phase, while the others wait.
@@ -155,6 +189,7 @@ class Crew::Implementation {
   void start(std::size_t workers) {
     threads_.reserve(workers);
     count_ = workers;
+    if (recorder_) recorder_->set_workers(workers);
     for (std::size_t i = threads_.size(); i < workers; ++i) {
       change_parties(&Barrier::join);
       std::string reason;
@@ -196,6 +231,7 @@ class Crew::Implementation {
   std::vector<std::unique_ptr<Barrier>> phase_done_;
   Barrier frame_done_{1};
   std::vector<int> cores_ = usable_cores();
+  std::shared_ptr<TimelineRecorder> recorder_;  // null: nothing is recorded
   std::vector<Thread> threads_;
   Failure failure_;
 
@@ -224,6 +260,12 @@ std::vector<BarrierStatus> Crew::barriers() const {
 }
 Seconds Crew::seconds() const {
   return implementation_->seconds();
+}
+void Crew::record_timeline(std::size_t frames) {
+  implementation_->record_timeline(frames);
+}
+Timeline Crew::timeline(std::size_t frames) const {
+  return implementation_->timeline(frames);
 }
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 
 #include "carom/crew.hpp"
 #include "carom/exact_position.hpp"
+#include "carom/impact.hpp"
 #include "carom/measurements.hpp"
 #include "carom/scene.hpp"
 
@@ -49,6 +50,13 @@ class Solver {
   virtual void count(Measurements& measurements) const = 0;
   /// Writes into the scene what it takes to go on bit for bit.
   virtual void save(Scene& scene) const = 0;
+
+  /// From now on every impact is noted, or none.  What is not asked for costs nothing.
+  virtual void record_impacts(bool /*wanted*/) {}
+  /// Adds the impacts noted since the last call, in any order; balls by their present numbers.  Of
+  /// `event` it is only said which belong together: 0 for an impact by itself, else any number that
+  /// the contacts of one joint impact share within a call.
+  virtual void take_impacts(std::vector<Impact>& /*impacts*/) {}
 };
 
 }  // namespace carom

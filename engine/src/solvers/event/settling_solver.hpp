@@ -48,6 +48,8 @@ class SettlingSolver final : public Solver {
   [[nodiscard]] Vec2 momentum() const override { return present().momentum(); }
   void count(Measurements& measurements) const override { present().count(measurements); }
   void save(Scene& scene) const override { present().save(scene); }
+  void record_impacts(bool wanted) override { present().record_impacts(wanted); }
+  void take_impacts(std::vector<Impact>& impacts) override { present().take_impacts(impacts); }
 
  private:
   /// In one tile, for windows would have to stop at the same hop.

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "carom/impact.hpp"
+
+namespace carom {
+
+/// The impacts of a simulation that have not been taken yet, in the order of time and numbered.
+class ImpactRecord {
+ public:
+  /// Adds what a solver has noted since the last call, none of it before what was added then;
+  /// `ids`: the lasting numbers of the balls.
+  void add(std::vector<Impact> impacts, const std::vector<std::size_t>& ids);
+  /// Adds a command, not before what has happened: a step may end a rounding beyond its time.
+  void add(Impact command);
+  [[nodiscard]] std::vector<Impact> take();
+
+ private:
+  std::vector<Impact> impacts_;
+  std::uint64_t next_event_ = 0;
+  double latest_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace carom
