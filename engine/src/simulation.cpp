@@ -11,7 +11,7 @@
 #include "carom/scene_file.hpp"
 #include "impact_record.hpp"
 #include "scene/available.hpp"
-#include "solvers/event/make_event_solver.hpp"
+#include "solvers/event/event_solver.hpp"
 #include "solvers/integrated/integrated_solver.hpp"
 #include "solvers/overlap.hpp"
 #include "state/domain.hpp"
@@ -28,7 +28,7 @@ std::unique_ptr<Solver> make_solver(const Scene& scene, const std::vector<Ball>&
   if (method == Method::event) {
     // Attraction leaves no closed-form flight: it is integrated.
     if (scene.effects.attraction) return std::make_unique<IntegratedSolver>(scene, balls);
-    return make_event_solver(scene, balls);
+    return std::make_unique<EventSolver>(scene, balls);
   }
   return std::make_unique<OverlapSolver>(scene, balls);
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "solvers/event/make_event_solver.hpp"
+#include "solvers/event/make_core.hpp"
 #include "solvers/overlap_plan.hpp"
 
 namespace carom {
@@ -29,7 +29,7 @@ std::size_t listed_pairs(const Scene& scene, const std::vector<Ball>& balls) {
 
 void describe_event(const Scene& scene, Footprint& result) {
   const std::size_t n = result.balls;
-  result.columns = {{"ball", n * sizeof(Ball)}, {"flight", n * event_flight_bytes(scene)}};
+  result.columns = {{"ball", n * sizeof(Ball)}, {"flight", n * event::flight_bytes(scene)}};
   if (scene.effects.collisions) {
     result.lists.emplace_back("neighbours", n * kNeighbours);
   }

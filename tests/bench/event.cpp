@@ -114,7 +114,7 @@ void measure(std::size_t n, double packing, double time_limit) {
   double energy = 0;
   for (const Disk& b : balls) energy += b.vx * b.vx + b.vy * b.vy;
   const TickScale scale(gas.box.width / 6);
-  Tile<Free> tile(gas.rules(scale));
+  Tile<Ballistic> tile(gas.rules(scale));
   tile.reset(balls, 0);
   const double settle = (n > 500000 ? 1.0 : 10.0) * static_cast<double>(n) / rate / 2;
   tile.advance_to(scale.ticks(settle));
@@ -156,18 +156,18 @@ void measure(std::size_t n, double packing, double time_limit) {
 void measure_workers(std::size_t n, double packing, std::size_t workers, double time_limit) {
   const Gas gas = make_gas(n, packing);
   const TickScale scale(gas.box.width / 6);
-  Tile<Free> tile(gas.rules(scale));
+  Tile<Ballistic> tile(gas.rules(scale));
   tile.reset(gas.balls, 0);
   const Ticks settle = scale.ticks(5 * static_cast<double>(n) / gas.rate);
   tile.advance_to(settle);
   tile.rebase(settle);
-  Windows<Free> windows(gas.rules(scale), {workers});
+  Windows<Ballistic> windows(gas.rules(scale), {workers});
   windows.reset({tile.disks().begin(), tile.disks().end()}, 0);
 
   std::vector<double> spent(workers);
   double critical = 0;
   std::vector<carom::Phase> phases;
-  for (std::size_t k = 0; k < Windows<Free>::kPhases; ++k) {
+  for (std::size_t k = 0; k < Windows<Ballistic>::kPhases; ++k) {
     phases.push_back({"",
                       [&, k](carom::Share share) {
                         const double from = thread_seconds();

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/event/make_event_solver.hpp"
+#include "solvers/event/event_solver.hpp"
 
 namespace carom {
 namespace {
@@ -40,7 +40,7 @@ Scene heap() {
 class Course {
  public:
   explicit Course(const Scene& scene)
-      : solver_(make_event_solver(scene, scene.balls)), phases_(solver_->phases()) {}
+      : solver_(std::make_unique<EventSolver>(scene, scene.balls)), phases_(solver_->phases()) {}
 
   void advance(double time) {
     if (solver_->aim(time) != Phase::kFrameDone) phases_[0].work(Share{0, 1});

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "solvers/event/make_event_solver.hpp"
+#include "solvers/event/event_solver.hpp"
 
 namespace carom {
 namespace {
@@ -54,7 +54,7 @@ struct End {
 };
 
 End run(const Scene& scene, double time = 6, int frames = 1) {
-  const auto solver = make_event_solver(scene, scene.balls);
+  const auto solver = std::make_unique<EventSolver>(scene, scene.balls);
   const std::vector<Phase> phases = solver->phases();
   for (int frame = 1; frame <= frames; ++frame) {
     if (solver->aim(time * frame / frames) != Phase::kFrameDone) phases[0].work(Share{0, 1});
@@ -162,7 +162,7 @@ TEST_P(EventSymmetry, frames_only_look) {
 
 // Whatever is kept beside the flights is made anew: neighbours, agenda, the order in memory.
 TEST_P(EventSymmetry, setting_an_effect_to_what_it_is_changes_no_bit) {
-  const auto solver = make_event_solver(scene_, scene_.balls);
+  const auto solver = std::make_unique<EventSolver>(scene_, scene_.balls);
   const std::vector<Phase> phases = solver->phases();
   for (int part = 1; part <= 12; ++part) {
     ASSERT_NE(solver->aim(part * 0.5), Phase::kFrameDone);

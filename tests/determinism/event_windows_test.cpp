@@ -36,9 +36,8 @@ struct Run {
   double frame_rate = 30;
 };
 
-template <class P>
 Outcome run(const Case& c, const Run& how, std::uint64_t* again = nullptr) {
-  EventSolver<P> solver(c.scene, c.scene.balls, {how.parts, 0, how.window, how.window == 0});
+  EventSolver solver(c.scene, c.scene.balls, {how.parts, 0, how.window, how.window == 0});
   Crew crew(how.workers, solver.phases());
   const auto go_to = [&](double time) {
     const std::size_t first = solver.aim(time);
@@ -50,11 +49,6 @@ Outcome run(const Case& c, const Run& how, std::uint64_t* again = nullptr) {
   solver.count(measured);
   if (again != nullptr) *again += measured.islands_again;
   return {solver.state_hash(), measured.ball_ball, measured.ball_wall, measured.max_overlap};
-}
-
-Outcome run(const Case& c, const Run& how, std::uint64_t* again = nullptr) {
-  return c.scene.effects.gravity ? run<event::Falling>(c, how, again)
-                                 : run<event::Free>(c, how, again);
 }
 
 Scene falling() {

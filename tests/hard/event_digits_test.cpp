@@ -8,22 +8,18 @@
 #include <vector>
 
 #include "hard/reference_scene.hpp"
-#include "solvers/event/make_event_solver.hpp"
+#include "solvers/event/event_solver.hpp"
 #include "solvers/event/tile.hpp"
 #include "solvers/event/wide_physics.hpp"
 
 namespace carom {
 namespace {
 
-using event::Any100;
-using event::Any34;
-using event::Any50;
-using event::Free;
 using Exact = boost::multiprecision::cpp_bin_float_100;
 
 std::unique_ptr<Solver> run(Scene scene, int digits, double time) {
   scene.solver.digits = digits;
-  auto solver = make_event_solver(scene, populate(scene));
+  auto solver = std::make_unique<EventSolver>(scene, populate(scene));
   if (solver->aim(time) != Phase::kFrameDone) solver->phases()[0].work(Share{0, 1});
   return solver;
 }
@@ -139,10 +135,14 @@ double return_error(double seconds) {
 // unit of rounding, whatever the amplification is.
 TEST(EventReversal, more_digits_come_back_nearer_to_the_start_by_the_digits) {
   constexpr double kSeconds = 15;
-  const double in_double = return_error<Free>(kSeconds);
-  const double in_34 = return_error<Any34>(kSeconds);
-  const double in_50 = return_error<Any50>(kSeconds);
-  const double in_100 = return_error<Any100>(kSeconds);
+  const double in_double = return_error<event::Ballistic>(kSeconds);
+  const auto in_digits = [](int digits) {
+    const WidePrecision precision(digits);
+    return return_error<event::WidePhysics>(kSeconds);
+  };
+  const double in_34 = in_digits(34);
+  const double in_50 = in_digits(50);
+  const double in_100 = in_digits(100);
   EXPECT_LT(in_double, 1e-1);
   EXPECT_GT(in_double, 0);
   EXPECT_LT(in_34, in_double * 0x1p-53);

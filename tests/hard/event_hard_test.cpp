@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "solvers/event/make_event_solver.hpp"
+#include "solvers/event/event_solver.hpp"
 
 namespace carom {
 namespace {
@@ -41,7 +41,8 @@ TEST(EventHard, a_heavy_ball_a_light_one_and_a_wall_count_the_digits_of_pi) {
   double mass = 1;
   for (const std::uint64_t expected : digits) {
     Scene scene = elastic(100, 2);
-    const auto solver = make_event_solver(scene, {ball(4, 1, 0, 0), ball(8, 1, -1, 0, 0.5, mass)});
+    const auto solver = std::make_unique<EventSolver>(
+        scene, std::vector<Ball>{ball(4, 1, 0, 0), ball(8, 1, -1, 0, 0.5, mass)});
     const Measurements measured = run_to(*solver, 50);
     EXPECT_EQ(measured.ball_ball + measured.ball_wall, expected) << "mass " << mass;
     mass *= 100;
@@ -50,7 +51,8 @@ TEST(EventHard, a_heavy_ball_a_light_one_and_a_wall_count_the_digits_of_pi) {
 
 TEST(EventHard, a_bullet_hits_a_ball_and_a_wall_exactly_once) {
   Scene scene = elastic(100, 4);
-  const auto solver = make_event_solver(scene, {ball(1, 2, 3e7, 0), ball(60, 2, 0, 0, 0.5, 1e9)});
+  const auto solver = std::make_unique<EventSolver>(
+      scene, std::vector<Ball>{ball(1, 2, 3e7, 0), ball(60, 2, 0, 0, 0.5, 1e9)});
   const Measurements measured = run_to(*solver, (58.0 + 50.0) / 3e7);
   EXPECT_EQ(measured.ball_ball, 1U);
   EXPECT_EQ(measured.ball_wall, 0U);
@@ -81,7 +83,7 @@ Scene crystal(unsigned columns, unsigned rows, double packing) {
 // 0.90 of the plane covered, where 0.9069 is the most there can be.
 TEST(EventHard, balls_nearly_jammed_do_not_overlap_and_keep_their_energy) {
   const Scene scene = crystal(14, 14, 0.90);
-  const auto solver = make_event_solver(scene, scene.balls);
+  const auto solver = std::make_unique<EventSolver>(scene, scene.balls);
   const double energy = solver->energy();
   Measurements measured;
   for (double time = 1; measured.ball_ball < 200'000; ++time) measured = run_to(*solver, time);
@@ -96,7 +98,7 @@ TEST(EventHard, balls_nearly_jammed_do_not_overlap_and_keep_their_energy) {
 // Source: J. Kolafa, M. Rottner, Mol. Phys. 104 (2006) 3435: Z at packing 0.471239 is 3.663691.
 TEST(EventHard, a_periodic_gas_collides_as_often_as_its_equation_of_state_says) {
   const Scene scene = crystal(16, 16, 0.471239);
-  const auto solver = make_event_solver(scene, scene.balls);
+  const auto solver = std::make_unique<EventSolver>(scene, scene.balls);
   const double n = 256;
   const double temperature = solver->energy() / (n - 1);
   const double settled = 20;

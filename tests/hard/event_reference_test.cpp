@@ -5,7 +5,7 @@
 #include <string>
 
 #include "hard/reference_scene.hpp"
-#include "solvers/event/make_event_solver.hpp"
+#include "solvers/event/event_solver.hpp"
 
 namespace carom {
 namespace {
@@ -32,7 +32,7 @@ TEST_P(EventReference, ends_within_the_rounding_its_condition_allows_after_as_ma
   const auto& [scene, time, condition, expected] = reference;
   const double allowed = 64 * condition * 0x1p-53 * reference.size();
 
-  const auto solver = make_event_solver(scene, populate(scene));
+  const auto solver = std::make_unique<EventSolver>(scene, populate(scene));
   run(*solver, time, 1);
   Measurements measured;
   solver->count(measured);
@@ -52,7 +52,7 @@ TEST_P(EventReference, ends_within_the_rounding_its_condition_allows_after_as_ma
   EXPECT_LE(worst, allowed);
   RecordProperty("part_of_the_allowance", std::to_string(worst / allowed));
 
-  const auto watched = make_event_solver(scene, populate(scene));
+  const auto watched = std::make_unique<EventSolver>(scene, populate(scene));
   run(*watched, time, 997);
   EXPECT_EQ(watched->state_hash(), solver->state_hash()) << "frames must only look";
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "solvers/event/make_event_solver.hpp"
+#include "solvers/event/event_solver.hpp"
 
 namespace carom {
 namespace {
@@ -40,7 +40,7 @@ Scene falling(double width, double height, double restitution, const Vec2& gravi
 class Course {
  public:
   Course(const Scene& scene, const std::vector<Ball>& balls)
-      : solver_(make_event_solver(scene, balls)), phases_(solver_->phases()) {}
+      : solver_(std::make_unique<EventSolver>(scene, balls)), phases_(solver_->phases()) {}
 
   std::vector<Ball> at(double time) {
     if (solver_->aim(time) != Phase::kFrameDone) phases_[0].work(Share{0, 1});

@@ -74,7 +74,7 @@ TEST_F(EventExit, without_a_push_it_is_the_time_of_the_straight_way_and_at_rest_
   EXPECT_EQ(bound(none, 0.5, -0.25), 6);
   EXPECT_EQ(bound(none, 0.5, 0), never<double>());
   EXPECT_EQ(bound(none, 1, 1), 0);
-  EXPECT_EQ(square_exit_bound(StraightLaw<double>{}, TwoLanes{0.5, 0}, TwoLanes{0.25, 0}, 1.0), 2);
+  EXPECT_EQ(square_exit_bound(none, TwoLanes{0.5, 0}, TwoLanes{0.25, 0}, 1.0), 2);
 }
 
 }  // namespace

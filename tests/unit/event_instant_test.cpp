@@ -33,7 +33,7 @@ TEST(EventInstant, a_cradle_passes_on_as_many_balls_as_come_in) {
     for (int k = 0; k < 5; ++k) {
       disks.push_back(k < coming ? at(k - 4.0, 0, 1) : at(k - 3.0, 0));
     }
-    Tile<Free> tile(table(40, 10));
+    Tile<Ballistic> tile(table(40, 10));
     tile.reset(disks, 0);
     tile.advance_to(tile.motion().rules().scale.ticks(3));
     for (int k = 0; k < 5; ++k) {
@@ -44,7 +44,7 @@ TEST(EventInstant, a_cradle_passes_on_as_many_balls_as_come_in) {
 }
 
 TEST(EventInstant, a_hit_into_an_exact_corner_reverses_exactly) {
-  Tile<Free> tile(table(8, 8));
+  Tile<Ballistic> tile(table(8, 8));
   tile.reset({at(0, 0, 3, 3)}, 0);
   tile.advance_to(tile.motion().rules().scale.ticks(1.5));
   EXPECT_EQ(tile.disks()[0].vx, -3);
@@ -58,7 +58,7 @@ TEST(EventInstant, two_balls_that_hit_a_third_at_once_leave_as_mirror_images) {
   for (const bool swapped : {false, true}) {
     std::vector<Disk> disks{at(-2, 0.75, 1), at(-2, -0.75, 1), at(0.3, 0)};
     if (swapped) std::swap(disks[0], disks[1]);
-    Tile<Free> tile(table(40, 10));
+    Tile<Ballistic> tile(table(40, 10));
     tile.reset(disks, 0);
     tile.advance_to(tile.motion().rules().scale.ticks(3));
     const Disk& upper = tile.disks()[swapped ? 1 : 0];
@@ -82,7 +82,7 @@ TEST(EventInstant, a_struck_rack_stays_its_own_mirror_image_to_the_last_bit) {
     for (int k = 0; k <= row; ++k) disks.push_back(at(row * std::sqrt(0.75), k - row / 2.0));
     for (int k = 0; k <= row; ++k) twin.push_back(first + static_cast<std::size_t>(row - k));
   }
-  Tile<Free> tile(table(20, 10));
+  Tile<Ballistic> tile(table(20, 10));
   tile.reset(disks, 0);
   std::size_t compared = 0;
   for (int frame = 1; frame <= 400; ++frame) {

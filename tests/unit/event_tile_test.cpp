@@ -43,11 +43,11 @@ class AllPairs {
       if (best.partner == kCarry) {
         motion_.carry(disks_[who], best.time);
       } else if (best.partner >= kWalls) {
-        motion_.bounce(disks_[who], best.partner, best.time);
+        motion_.bounce(disks_[who], nullptr, best.partner, best.time);
         ++counts.ball_wall;
       } else {
         Disk& other = disks_[best.partner];
-        motion_.strike(disks_[who], other, best.time);
+        motion_.strike(disks_[who], nullptr, other, nullptr, best.time);
         left_[best.partner] = kUnknown;
         if (motion_.fixed(other)) left_[who] = best.partner;
         ++counts.ball_ball;
@@ -101,7 +101,7 @@ std::vector<Disk> lattice(const Rules& rules, std::size_t columns, std::size_t r
   return disks;
 }
 
-template <class P = Free>
+template <class P = Ballistic>
 void expect_same_bits(const Rules& rules, std::size_t columns, std::size_t rows, double seconds) {
   const auto start = lattice(rules, columns, rows);
   const Ticks end = rules.scale.ticks(seconds);
@@ -151,14 +151,14 @@ TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_under_gravity) 
   Rules rules = rules_of(domain(14, 12, false, false));
   rules.gravity = {0.5, -2};
   rules.restitution = 0.95;
-  expect_same_bits<Falling>(rules, 9, 8, 5);
+  expect_same_bits<Ballistic>(rules, 9, 8, 5);
 }
 
 TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_falling_through_pegs) {
   Rules rules = rules_of(domain(14, 12, true, false));
   rules.gravity = {0, -2};
   rules.kinds = {{0.5, 1}, {0.25, 8}, {0.6, 0.5}, {0.3, 0}, {0.55, 1}};
-  expect_same_bits<Falling>(rules, 9, 8, 5);
+  expect_same_bits<Ballistic>(rules, 9, 8, 5);
 }
 
 // Breaks where a bound is later than what it bounds: walls or squares are then left unseen.
@@ -166,7 +166,7 @@ TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_under_drag) {
   Rules rules = rules_of(domain(10, 8, false, false));
   for (const double rate : {0.001, 0.2, 0.6}) {
     rules.drag_rate = rate;
-    expect_same_bits<Damped>(rules, 8, 6, 8);
+    expect_same_bits<Drag>(rules, 8, 6, 8);
   }
 }
 
@@ -174,13 +174,13 @@ TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_under_gravity_a
   Rules rules = rules_of(domain(10, 8, true, false));
   rules.gravity = {0.5, -2.25};
   rules.drag_rate = 0.2;
-  expect_same_bits<Damped>(rules, 8, 6, 4);
+  expect_same_bits<Drag>(rules, 8, 6, 4);
 }
 
 TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_falling_fast) {
   Rules rules = rules_of(domain(10, 8, false, false));
   rules.gravity = {0.25, -9.75};
-  expect_same_bits<Falling>(rules, 8, 6, 8);
+  expect_same_bits<Ballistic>(rules, 8, 6, 8);
 }
 
 // With a tick this fine, flights are carried on several times and time is counted anew many times.
@@ -188,8 +188,8 @@ TEST(EventTile, counting_time_from_a_later_tick_changes_no_bit) {
   Rules rules = rules_of(domain(12, 10, true, false));
   rules.scale = TickScale(0x1p-8);
   const auto start = lattice(rules, 5, 4);
-  AllPairs<Free> whole(rules, start);
-  Tile<Free> parts(rules);
+  AllPairs<Ballistic> whole(rules, start);
+  Tile<Ballistic> parts(rules);
   parts.reset(start, 0);
   constexpr Ticks kEra = Ticks{1} << 60;
   for (int era = 0; era < 40; ++era) {
@@ -219,7 +219,7 @@ TEST(EventTile, rods_in_a_line_are_where_free_points_would_be) {
     rods[i].x = -15 + (static_cast<double>(i) + 0.5) * 30 / kRods;
     rods[i].vx = normal(random);
   }
-  Tile<Free> tile(rules);
+  Tile<Ballistic> tile(rules);
   tile.reset(rods, 0);
   const Ticks end = rules.scale.ticks(50);
   tile.advance_to(end);

@@ -12,7 +12,6 @@ namespace carom::event {
 template <class S>
 class AnyLaw {
  public:
-  static constexpr bool kBends = true;
   static constexpr bool kStretches = false;
 
   AnyLaw(const Vec<S>& gravity, const S& rate)
@@ -21,6 +20,7 @@ class AnyLaw {
         damped_law_{gravity, rate},
         ballistic_law_{gravity} {}
 
+  static constexpr bool bends() { return true; }
   Vec<S> displacement(const Flight<S>& f, const S& elapsed) const {
     return ask([&](const auto& law) { return law.displacement(f, elapsed); });
   }

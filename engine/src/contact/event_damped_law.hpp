@@ -12,11 +12,11 @@ namespace carom::event {
 /// dv/dt = gravity - rate v, the same for every ball; gravity may be zero, and so may the rate.
 template <class S>
 struct DampedLaw {
-  static constexpr bool kBends = true;
   static constexpr bool kStretches = true;
   Vec<S> gravity;
   S rate;
 
+  static constexpr bool bends() { return true; }
   Vec<S> displacement(const Flight<S>& f, const S& elapsed) const {
     return displacement(f, elapsed, damping(S(rate * elapsed)));
   }

@@ -23,7 +23,7 @@ struct Flight {
 // axis, h and v along that normal, and wall_arrival(), its normal velocity then; peg_wait(), when
 // it meets a fixed ball, where flights bend past it; pull(), what pulls it along an axis; push(),
 // how it accelerates there at some velocity, which then fades at the rate fading() and keeps its
-// sign; under(), the same law with another pull, where it bends. kStretches: when() does something,
+// sign; under(), the same law with another pull; bends(), whether flights are anything but straight. kStretches: when() does something,
 // and gives no less than it is given.
 
 /// The law of a ball that something carries along some axes: 1 for x, 2 for y.
@@ -38,7 +38,7 @@ Law carried(const Law& law, unsigned axes) {
 /// Uniform motion.
 template <class S>
 struct StraightLaw {
-  static constexpr bool kBends = false;
+  static constexpr bool bends() { return false; }
   static constexpr bool kStretches = false;
 
   Vec<S> displacement(const Flight<S>& f, const S& elapsed) const {
@@ -58,10 +58,10 @@ struct StraightLaw {
 /// Uniform acceleration, the same for every ball.
 template <class S>
 struct BallisticLaw {
-  static constexpr bool kBends = true;
   static constexpr bool kStretches = false;
   Vec<S> gravity;
 
+  [[nodiscard]] bool bends() const { return gravity.x != 0 || gravity.y != 0; }
   Vec<S> displacement(const Flight<S>& f, const S& elapsed) const {
     const S half = elapsed / 2;
     return {multiply_add(gravity.x, half, f.velocity.x) * elapsed,

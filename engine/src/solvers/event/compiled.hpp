@@ -1,12 +1,12 @@
 #pragma once
 
 #include "solvers/event/agenda_body.hpp"
-#include "solvers/event/event_solver_body.hpp"
 #include "solvers/event/motion_body.hpp"
 #include "solvers/event/motion_rest_body.hpp"
 #include "solvers/event/neighbours_body.hpp"
 #include "solvers/event/part_body.hpp"
 #include "solvers/event/tile_body.hpp"
+#include "solvers/event/tile_core_body.hpp"
 #include "solvers/event/tile_cost_body.hpp"
 #include "solvers/event/tile_crowd_body.hpp"
 #include "solvers/event/tile_friction_body.hpp"
@@ -19,9 +19,9 @@
 #include "solvers/event/windows_body.hpp"
 
 /// The whole method compiled for one Physics: a source file for each.
-#define CAROM_COMPILE_EVENT(PHYSICS)            \
-  namespace carom {                             \
-  template class event::Motion<event::PHYSICS>; \
-  template class event::Tile<event::PHYSICS>;   \
-  template class EventSolver<event::PHYSICS>;   \
+#define CAROM_COMPILE_EVENT(PHYSICS)              \
+  namespace carom {                               \
+  template class event::Motion<event::PHYSICS>;   \
+  template class event::Tile<event::PHYSICS>;     \
+  template class event::TileCore<event::PHYSICS>; \
   }

@@ -37,10 +37,4 @@ struct alignas(64) BasicDisk {
 
 using Disk = BasicDisk<double>;
 
-/// The same with a spin, counter-clockwise, which only impacts change.
-template <class S>
-struct SpinningDisk : BasicDisk<S> {
-  S spin = 0;
-};
-
 }  // namespace carom::event

@@ -22,20 +22,17 @@ template <class Law>
   const TwoLanes ahead = skin - forward;
   const TwoLanes straight = ahead / speed;
   const double wait = std::min(straight[0], straight[1]);
-  if constexpr (!Law::kBends) {
-    return ahead[0] > 0 && ahead[1] > 0 ? wait : 0;
-  } else {
-    const TwoLanes back = skin + forward;
-    const TwoLanes push{law.push(0, v[0]), law.push(1, v[1])};
-    const double sooner = wait * kSooner;
-    const TwoLanes bend = with_signs(push, signs(push)) * (wait / 2 * wait);
-    const WholeTwoLanes inside = (speed * sooner + bend <= ahead) & (bend <= back);
-    if ((inside[0] & inside[1]) != 0) return sooner;
-    const TwoLanes along = with_signs(push, sign);
-    const double fading = law.fading();
-    return std::min(exit_bound<double>(ahead[0], back[0], speed[0], along[0], fading),
-                    exit_bound<double>(ahead[1], back[1], speed[1], along[1], fading));
-  }
+  if (!law.bends()) return ahead[0] > 0 && ahead[1] > 0 ? wait : 0;
+  const TwoLanes back = skin + forward;
+  const TwoLanes push{law.push(0, v[0]), law.push(1, v[1])};
+  const double sooner = wait * kSooner;
+  const TwoLanes bend = with_signs(push, signs(push)) * (wait / 2 * wait);
+  const WholeTwoLanes inside = (speed * sooner + bend <= ahead) & (bend <= back);
+  if ((inside[0] & inside[1]) != 0) return sooner;
+  const TwoLanes along = with_signs(push, sign);
+  const double fading = law.fading();
+  return std::min(exit_bound<double>(ahead[0], back[0], speed[0], along[0], fading),
+                  exit_bound<double>(ahead[1], back[1], speed[1], along[1], fading));
 }
 
 }  // namespace carom::event

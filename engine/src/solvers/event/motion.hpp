@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "contact/event_friction.hpp"
 #include "contact/event_impulse.hpp"
@@ -39,11 +40,8 @@ class Motion {
   using Disk = typename P::Disk;
   using Kind = BasicKind<S>;
   using Rules = BasicRules<S>;
-  /// Gravity can press balls together that lose energy.
-  static constexpr bool kHopping = P::kRests && P::Law::kBends;
-  /// Drag makes every hop shorter, and contacts that rest are not looked for.
-  static constexpr bool kSettles = !P::kRests && P::Law::kBends && P::Law::kStretches;
-  static constexpr bool kPresses = P::kRests || kSettles;
+  /// Contacts come to rest in double only.
+  static constexpr bool kCanRest = kIsDouble<S>;
 
   explicit Motion(Rules rules);
 
@@ -66,13 +64,14 @@ class Motion {
   [[nodiscard]] Meeting<P> alone(const Disk& disk, At until = P::Clock::never()) const;
   /// Starts the flight anew where it is at `now`.
   void carry(Disk& disk, At now) const;
-  void bounce(Disk& disk, Index wall, At now) const;
+  /// `spin`: of the ball, counter-clockwise; null where balls do not rub.
+  void bounce(Disk& disk, S* spin, Index wall, At now) const;
   /// The impact of two balls; gives how deep they overlapped, as a part of the smaller radius.
-  double strike(Disk& a, Disk& b, At now) const;
+  double strike(Disk& a, S* spin_a, Disk& b, S* spin_b, At now) const;
   /// What friction does in such an impact, to balls that are where they meet, r apart.
-  void rub(Disk& a, Disk& b, const Vec<S>& r) const requires P::kSpins;
+  void rub(Disk& a, S& spin_a, Disk& b, S& spin_b, const Vec<S>& r) const;
   /// The same at a wall, that the ball comes to at the speed `arrival`.
-  void rub_wall(Disk& disk, std::size_t axis, int side, const S& arrival) const requires P::kSpins;
+  void rub_wall(Disk& disk, S& spin, std::size_t axis, int side, const S& arrival) const;
 
   [[nodiscard]] const Rules& rules() const { return rules_; }
   [[nodiscard]] const typename P::Law& law() const { return law_; }
@@ -83,13 +82,38 @@ class Motion {
   [[nodiscard]] double largest_radius() const { return largest_radius_; }
   [[nodiscard]] const std::array<S, 2>& periods() const { return room_.periods(); }
 
+  /// Gravity or drag acts.
+  [[nodiscard]] bool bends() const { return bends_; }
+  /// Contacts come to rest, as impacts lose energy or balls lie still.
+  [[nodiscard]] bool rests() const { return kCanRest && rests_; }
+  /// Gravity can press balls together that lose energy.
+  [[nodiscard]] bool hops() const { return rests() && bends_; }
+  /// Balls lose energy that nothing presses together.
+  [[nodiscard]] bool clusters() const { return rests() && !bends_; }
+  /// It moves, and nothing carries it.
+  [[nodiscard]] bool flies(const Disk& disk) const {
+    return disk.kind < plain_kinds_ && !fixed(disk);
+  }
+
   /// What a ball flies by.
   [[nodiscard]] decltype(auto) law_of(const Disk& disk) const {
-    if constexpr (P::kRests) {
+    if constexpr (kCanRest) {
+      if (disk.kind < plain_kinds_) [[likely]] {
+        return typename P::Law(law_);
+      }
       return event::carried(law_, std::min(kind(disk).carried, kLying));
     } else {
       return (law_);
     }
+  }
+
+  /// The answer of the law that the ball flies by.
+  template <class Question>
+  [[nodiscard, gnu::always_inline]] auto ask(const Disk& disk, const Question& question) const {
+    if constexpr (std::is_same_v<typename P::Law, BallisticLaw<S>>) {
+      if (!bends_) return question(StraightLaw<S>{});
+    }
+    return question(law_of(disk));
   }
 
   /// How far a place is from touching a wall (negative: beyond), and where touching leaves it.
@@ -101,12 +125,10 @@ class Motion {
   /// When it meets this wall.
   [[nodiscard]] Time wall_meets(const Disk& disk, Index wall) const;
 
-  /// Whether it leaves a wall for a hop that rule 1 would not let it do.
-  [[nodiscard]] bool barely_leaves(const Disk& disk, Index wall) const requires kSettles;
   /// Whether an impact of the two is one of ever more in ever less time; one may be fixed.
-  [[nodiscard]] bool squeezed(const Disk& a, const Disk& b, At now) const requires kPresses;
+  [[nodiscard]] bool squeezed(const Disk& a, const Disk& b, At now) const requires kCanRest;
 
-  // Contacts that rest, where P::kRests: motion_rest_body.hpp.
+  // Contacts that rest, where rests(): motion_rest_body.hpp.
   /// Nothing accelerates it along these axes: 1 for x, 2 for y; from kLying on at all.
   [[nodiscard]] unsigned carried(const Disk& disk) const { return kind(disk).carried; }
   void set_carried(Disk& disk, unsigned axes) const {
@@ -119,27 +141,27 @@ class Motion {
     return carried(disk) == kResting || carried(disk) == kStepped;
   }
   /// Lets walls carry it where it touches them, is pressed to them and leaves them no more.
-  void lean_on_walls(Disk& disk) const requires(P::kRests);
+  void lean_on_walls(Disk& disk) const requires kCanRest;
   /// The same on the very top of a fixed ball; whether that carries it.
-  bool lean_on_peg(Disk& disk, const Disk& peg) const requires(P::kRests);
+  bool lean_on_peg(Disk& disk, const Disk& peg) const requires kCanRest;
   /// Whether a wall that carries it slows it down by friction.
-  [[nodiscard]] bool slips(const Disk& disk) const requires(P::kSpins&& P::kRests);
+  [[nodiscard]] bool slips(const Disk& disk, const S& spin) const requires kCanRest;
   /// Rule 2: whether two that touch part no more: so slowly that the run cannot tell.
-  [[nodiscard]] bool stays_together(const Vec<S>& r, const Vec<S>& v, const S& reach) const
-      requires(P::kRests);
-  [[nodiscard]] bool stay_together(const Disk& a, const Disk& b) const requires(P::kRests) {
+  [[nodiscard]] bool stays_together(const Vec<S>& r, const Vec<S>& v,
+                                    const S& reach) const requires kCanRest;
+  [[nodiscard]] bool stay_together(const Disk& a, const Disk& b) const requires kCanRest {
     return stays_together(way({a.x, a.y}, {b.x, b.y}), {b.vx - a.vx, b.vy - a.vy},
                           S(kind(a).radius + kind(b).radius));
   }
   /// Whether both have been hit within the clock's resolution, or little more.
-  [[nodiscard]] bool collapses(const Disk& a, const Disk& b, At now) const requires(P::kRests);
+  [[nodiscard]] bool collapses(const Disk& a, const Disk& b, At now) const requires kCanRest;
   /// Rule 3: whether an impact of the two loses all, and they go on as a crowd; one of them may be
   /// fixed. r: from a to b.
-  [[nodiscard]] bool clings(const Disk& a, const Disk& b, const Vec<S>& r, At now) const
-      requires(P::kRests);
+  [[nodiscard]] bool clings(const Disk& a, const Disk& b, const Vec<S>& r,
+                            At now) const requires kCanRest;
   /// The same for a ball of a crowd that comes to a wall at this speed.
-  [[nodiscard]] bool clings_to_wall(const Disk& disk, const S& speed, At now) const
-      requires(P::kRests);
+  [[nodiscard]] bool clings_to_wall(const Disk& disk, const S& speed,
+                                    At now) const requires kCanRest;
   /// Crowds are stepped every 2^this ticks.
   [[nodiscard]] int step_shift() const { return step_shift_; }
   /// What gravity makes in a step.
@@ -147,22 +169,21 @@ class Motion {
   [[nodiscard]] const S& pull() const { return pull_; }
 
  private:
-  void add_carried_kinds() requires(P::kRests);
+  void add_carried_kinds() requires kCanRest;
   /// Rule 1: whether what leaves at v, pressed back by a, stays.
-  [[nodiscard]] bool stays_down(const S& v, const S& a, const S& restitution, const S& reach) const
-      requires(P::kRests);
+  [[nodiscard]] bool stays_down(const S& v, const S& a, const S& restitution,
+                                const S& reach) const requires kCanRest;
   [[nodiscard]] S meeting_wait(const Disk& earlier, const Disk& later, const S& reach,
-                               bool from_contact, At until) const
-      requires(P::kRests&& P::Law::kBends);
+                               bool from_contact, At until) const requires kCanRest;
   /// Whether the step of their crowd has seen to it that they do not meet before the next one.
-  [[nodiscard]] bool stepped_together(const Disk& a, const Disk& b) const requires(P::kRests);
+  [[nodiscard]] bool stepped_together(const Disk& a, const Disk& b) const requires kCanRest;
   /// Something carries it that can: a wall, or a crowd.
-  [[nodiscard]] bool lies_on_something(const Disk& disk) const requires kPresses;
+  [[nodiscard]] bool lies_on_something(const Disk& disk) const requires kCanRest;
   /// Whether it all but touches a wall.
-  [[nodiscard]] bool is_at_wall(const Disk& disk, At now) const requires kPresses;
+  [[nodiscard]] bool is_at_wall(const Disk& disk, At now) const requires kCanRest;
   [[nodiscard]] bool just_hit(const Disk& disk, const S& reach, const S& speed, At now,
-                              const S& part) const requires kPresses;
-  [[nodiscard]] Rubbing<S> rubbing(const Disk& disk) const requires P::kSpins;
+                              const S& part) const requires kCanRest;
+  [[nodiscard]] Rubbing<S> rubbing(const Disk& disk, const S& spin) const;
   /// Whether it goes less than a quick bound says within `wait`, and so far it is from all that it
   /// can meet alone.
   [[nodiscard]] bool stays_clear(const Disk& disk, double wait) const requires kIsDouble<S>;
@@ -177,6 +198,8 @@ class Motion {
   TwoLanes low_side_{};
   TwoLanes high_side_{};
   TwoLanes farthest_{};
+  bool bends_ = false;
+  bool rests_ = false;
   double largest_radius_ = 0;
   std::size_t plain_kinds_ = 1;  ///< without what carries them
   S pull_ = 0;                   ///< gravity's size

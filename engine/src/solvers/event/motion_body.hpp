@@ -20,7 +20,11 @@ Flight<S> flight(const BasicDisk<S>& disk) {
 
 template <class P>
 Motion<P>::Motion(Rules rules)
-    : rules_(std::move(rules)), law_(P::law(rules_)), room_(rules_.domain) {
+    : rules_(std::move(rules)),
+      law_(P::law(rules_)),
+      room_(rules_.domain),
+      bends_(law_.bends() || rules_.falls),
+      rests_(rules_.rests) {
   S largest = 0;
   for (const Kind& kind : rules_.kinds) largest = std::max(largest, kind.radius);
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -34,37 +38,33 @@ Motion<P>::Motion(Rules rules)
   }
   largest_radius_ = static_cast<double>(largest);
   plain_kinds_ = rules_.kinds.size();
-  if constexpr (kPresses) {
+  if constexpr (kCanRest) {
+    if (!rests_) return;
     const Vec<S>& g = law_.pull();
     pull_ = root(S(g.x * g.x + g.y * g.y));
+    add_carried_kinds();
   }
-  if constexpr (P::kRests) add_carried_kinds();
 }
 
 template <class P>
 auto Motion<P>::place(const Disk& disk, At now) const -> Vec<S> {
-  if constexpr (P::Law::kBends) {
-    if (fixed(disk)) return {disk.x, disk.y};
-  }
+  if (bends_ && fixed(disk)) return {disk.x, disk.y};
   const S elapsed = rules_.scale.seconds(now - disk.start);
-  return Vec<S>{disk.x, disk.y} + law_of(disk).displacement(flight(disk), elapsed);
+  return Vec<S>{disk.x, disk.y} +
+         ask(disk, [&](const auto& law) { return law.displacement(flight(disk), elapsed); });
 }
 
 template <class P>
 auto Motion<P>::velocity(const Disk& disk, At now) const -> Vec<S> {
-  if constexpr (P::Law::kBends) {
-    if (!fixed(disk)) {
-      const S elapsed = rules_.scale.seconds(now - disk.start);
-      return law_of(disk).velocity(flight(disk), elapsed);
-    }
-  }
-  return {disk.vx, disk.vy};
+  if (!bends_ || fixed(disk)) return {disk.vx, disk.vy};
+  return law_of(disk).velocity(flight(disk), rules_.scale.seconds(now - disk.start));
 }
 
 template <class P>
 [[gnu::always_inline]] inline auto Motion<P>::at(const Disk& disk, At now) const -> Flight<S> {
   if (now == disk.start || fixed(disk)) return flight(disk);
-  return after(law_of(disk), flight(disk), rules_.scale.seconds(now - disk.start));
+  const S elapsed = rules_.scale.seconds(now - disk.start);
+  return ask(disk, [&](const auto& law) { return after(law, flight(disk), elapsed); });
 }
 
 template <class P>
@@ -83,28 +83,31 @@ template <class P>
 auto Motion<P>::pair_meets(const Disk& a, const Disk& b, bool from_contact,
                            [[maybe_unused]] At until) const -> Time {
   const S reach = kind(a).radius + kind(b).radius;
-  if constexpr (kHopping) {
-    if (stepped_together(a, b)) return P::Clock::never();
+  if constexpr (kCanRest) {
+    if (hops() && stepped_together(a, b)) return P::Clock::never();
   }
-  if constexpr (P::Law::kBends) {
-    if (fixed(a) || fixed(b)) {
-      const Disk& ball = fixed(a) ? b : a;
-      const Disk& peg = fixed(a) ? a : b;
-      const Vec<S> r = way({peg.x, peg.y}, {ball.x, ball.y});
-      const S wait = law_of(ball).peg_wait(r, Vec<S>{ball.vx, ball.vy}, reach, from_contact);
-      const Time ticks = rules_.scale.ticks(wait);
-      return ticks == P::Clock::never() ? ticks : Time(ball.start + ticks);
-    }
+  if (bends_ && (fixed(a) || fixed(b))) {
+    const Disk& ball = fixed(a) ? b : a;
+    const Disk& peg = fixed(a) ? a : b;
+    const Vec<S> r = way({peg.x, peg.y}, {ball.x, ball.y});
+    const S wait = law_of(ball).peg_wait(r, Vec<S>{ball.vx, ball.vy}, reach, from_contact);
+    const Time ticks = rules_.scale.ticks(wait);
+    return ticks == P::Clock::never() ? ticks : Time(ball.start + ticks);
   }
   const bool swap = b.start < a.start;
   const Disk& earlier = swap ? b : a;
   const Disk& later = swap ? a : b;
-  if constexpr (kHopping) {
-    const Time ticks = rules_.scale.ticks(meeting_wait(earlier, later, reach, from_contact, until));
-    return ticks == P::Clock::never() ? ticks : Time(later.start + ticks);
+  if constexpr (kCanRest) {
+    if (hops()) {
+      const Time ticks =
+          rules_.scale.ticks(meeting_wait(earlier, later, reach, from_contact, until));
+      return ticks == P::Clock::never() ? ticks : Time(later.start + ticks);
+    }
   }
   const S elapsed = rules_.scale.seconds(later.start - earlier.start);
-  Relative<S> relative = relative_at_later_start(law_, flight(earlier), elapsed, flight(later));
+  Relative<S> relative = ask(later, [&](const auto& law) {
+    return relative_at_later_start(law, flight(earlier), elapsed, flight(later));
+  });
   const std::array<S, 2>& periods = room_.periods();
   relative.r.x = nearest(relative.r.x, periods[0], S(periods[0] / 2));
   relative.r.y = nearest(relative.r.y, periods[1], S(periods[1] / 2));
@@ -149,7 +152,7 @@ Meeting<P> Motion<P>::wall_meeting(const Disk& disk, std::size_t axis, bool low,
   const Time wait = rules_.scale.ticks(std::min(wait_low, wait_high));
   if (wait == P::Clock::never()) return {};
   const auto side = static_cast<Index>(2 * axis) + (wait_high < wait_low ? 1U : 0U);
-  if constexpr (kHopping) {
+  if (hops()) {
     // The step of its crowd has seen to it.
     const Index wall = kWalls + side;
     if (stepped(disk) && !(this->wall(disk, {disk.x, disk.y}, wall).gap > 2 * radius * kNear)) {
@@ -161,13 +164,14 @@ Meeting<P> Motion<P>::wall_meeting(const Disk& disk, std::size_t axis, bool low,
 
 // Within time t a ball goes no farther than v t + a t^2 / 2, whatever drag makes of the two.
 template <class P>
-bool Motion<P>::stays_clear(const Disk& disk, double wait) const requires kIsDouble<S> {
+[[gnu::always_inline]] inline bool Motion<P>::stays_clear(const Disk& disk,
+                                                          double wait) const requires kIsDouble<S> {
   const auto& law = law_of(disk);
   const double radius = kind(disk).radius;
   const TwoLanes at{disk.x, disk.y};
   const TwoLanes v{disk.vx, disk.vy};
   TwoLanes most = with_signs(v, signs(v));
-  if constexpr (P::Law::kBends) {
+  if (bends_) {
     const TwoLanes pull{law.pull(0), law.pull(1)};
     most += with_signs(pull, signs(pull)) * (wait / 2);
   }
@@ -232,7 +236,7 @@ void Motion<P>::carry(Disk& disk, At now) const {
 }
 
 template <class P>
-void Motion<P>::bounce(Disk& disk, Index wall, At now) const {
+void Motion<P>::bounce(Disk& disk, S* spin, Index wall, At now) const {
   const std::size_t axis = (wall - kWalls) / 2;
   const bool upper = (wall - kWalls) % 2 == 1;
   const S& radius = kind(disk).radius;
@@ -243,59 +247,58 @@ void Motion<P>::bounce(Disk& disk, Index wall, At now) const {
   const S arrival = law_of(disk).wall_arrival(axis, side, S(side * (x - stop)), S(side * v),
                                               rules_.scale.seconds(now - disk.start));
   carry(disk, now);
-  if constexpr (P::kSpins) rub_wall(disk, axis, side, arrival);
+  if (spin != nullptr) rub_wall(disk, *spin, axis, side, arrival);
   x = stop;
   v = side * wall_impact(arrival, S(rules_.wall_restitution));
 }
 
 template <class P>
-Rubbing<typename P::Scalar> Motion<P>::rubbing(const Disk& disk) const requires P::kSpins {
-  return {{disk.vx, disk.vy}, disk.spin, kind(disk).radius, kind(disk).inverse_mass};
+Rubbing<typename P::Scalar> Motion<P>::rubbing(const Disk& disk, const S& spin) const {
+  return {{disk.vx, disk.vy}, spin, kind(disk).radius, kind(disk).inverse_mass};
 }
 
 // Before the normal impulse, which then has the last word on whether the two still approach.
 template <class P>
-void Motion<P>::rub(Disk& a, Disk& b, const Vec<S>& r) const requires P::kSpins {
-  const Rubbing<S> one = rubbing(a);
-  const Rubbing<S> other = rubbing(b);
+void Motion<P>::rub(Disk& a, S& spin_a, Disk& b, S& spin_b, const Vec<S>& r) const {
+  const Rubbing<S> one = rubbing(a, spin_a);
+  const Rubbing<S> other = rubbing(b, spin_b);
   const S approach = approach_speed(r, other.velocity - one.velocity);
   if (!(approach > 0) || (kind(a).fixed() && kind(b).fixed())) return;
   const Rub<S> rub(one, other, r, S((1 + S(rules_.restitution)) * approach), S(rules_.friction));
-  const auto take = [](Disk& disk, const Rubbed<S>& got) {
+  const auto take = [](Disk& disk, S& spin, const Rubbed<S>& got) {
     disk.vx += got.velocity.x;
     disk.vy += got.velocity.y;
-    disk.spin += got.spin;
+    spin += got.spin;
   };
-  take(a, rub.on(one, -1, S(1)));
-  take(b, rub.on(other, 1, S(1)));
+  take(a, spin_a, rub.on(one, -1, S(1)));
+  take(b, spin_b, rub.on(other, 1, S(1)));
 }
 
 template <class P>
-void Motion<P>::rub_wall(Disk& disk, std::size_t axis, int side,
-                         const S& arrival) const requires P::kSpins {
-  const Rubbing<S> ball = rubbing(disk);
+void Motion<P>::rub_wall(Disk& disk, S& spin, std::size_t axis, int side, const S& arrival) const {
+  const Rubbing<S> ball = rubbing(disk, spin);
   const Rubbing<S> wall{{S(0), S(0)}, S(0), S(0), S(0)};
   const Vec<S> towards = axis == 0 ? Vec<S>{S(-side), S(0)} : Vec<S>{S(0), S(-side)};
   const Rub<S> rub(ball, wall, towards, S((1 + S(rules_.wall_restitution)) * -arrival),
                    S(rules_.wall_friction));
   const Rubbed<S> got = rub.on(ball, -1, S(1));
   (axis == 0 ? disk.vy : disk.vx) += axis == 0 ? got.velocity.y : got.velocity.x;
-  disk.spin += got.spin;
+  spin += got.spin;
 }
 
 template <class P>
-double Motion<P>::strike(Disk& a, Disk& b, At now) const {
+double Motion<P>::strike(Disk& a, S* spin_a, Disk& b, S* spin_b, At now) const {
   const Kind& ka = kind(a);
   const Kind& kb = kind(b);
   if (!ka.fixed()) carry(a, now);
   if (!kb.fixed()) carry(b, now);
   const Vec<S> r = way({a.x, a.y}, {b.x, b.y});
-  if constexpr (P::kSpins) rub(a, b, r);
+  if (spin_a != nullptr) rub(a, *spin_a, b, *spin_b, r);
   Velocities<S> after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass,
                                     kb.inverse_mass, S(rules_.restitution));
-  if constexpr (P::kRests && !kHopping) {
-    const S reach = ka.radius + kb.radius;
-    if (rules_.restitution < 1 && stays_together(r, after.b - after.a, reach)) {
+  if constexpr (kCanRest) {
+    if (clusters() && rules_.restitution < 1 &&
+        stays_together(r, after.b - after.a, S(ka.radius + kb.radius))) {
       after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass,
                           kb.inverse_mass, S(0));
     }

@@ -11,7 +11,7 @@
 namespace carom::event {
 
 template <class P>
-void Motion<P>::add_carried_kinds() requires(P::kRests) {
+void Motion<P>::add_carried_kinds() requires kCanRest {
   for (unsigned axes = 1; axes <= kJoins; ++axes) {
     for (std::size_t k = 0; k < plain_kinds_; ++k) {
       Kind kind = rules_.kinds[k];
@@ -27,22 +27,14 @@ void Motion<P>::add_carried_kinds() requires(P::kRests) {
 }
 
 template <class P>
-bool Motion<P>::stays_down(const S& v, const S& a, const S& restitution, const S& reach) const
-    requires(P::kRests) {
+bool Motion<P>::stays_down(const S& v, const S& a, const S& restitution,
+                           const S& reach) const requires kCanRest {
   if (restitution < 1) return bounces_out(v, a, restitution, rules_.scale.resolution());
   return can_rest(rules_) && barely_hops(v, a, reach);
 }
 
 template <class P>
-bool Motion<P>::barely_leaves(const Disk& disk, Index wall) const requires kSettles {
-  const std::size_t axis = (wall - kWalls) / 2;
-  const int side = (wall - kWalls) % 2 == 0 ? 1 : -1;
-  return barely_hops(S(axis == 0 ? disk.vx : disk.vy), S(-side * law_.pull(axis)),
-                     S(2 * kind(disk).radius));
-}
-
-template <class P>
-void Motion<P>::lean_on_walls(Disk& disk) const requires(P::kRests) {
+void Motion<P>::lean_on_walls(Disk& disk) const requires kCanRest {
   const Vec<S>& g = law_.pull();
   unsigned axes = 0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -64,7 +56,7 @@ void Motion<P>::lean_on_walls(Disk& disk) const requires(P::kRests) {
 }
 
 template <class P>
-bool Motion<P>::lean_on_peg(Disk& disk, const Disk& peg) const requires(P::kRests) {
+bool Motion<P>::lean_on_peg(Disk& disk, const Disk& peg) const requires kCanRest {
   const Vec<S> r = way({peg.x, peg.y}, {disk.x, disk.y});
   const Vec<S> v{disk.vx, disk.vy};
   const Vec<S>& g = law_.pull();
@@ -79,9 +71,9 @@ bool Motion<P>::lean_on_peg(Disk& disk, const Disk& peg) const requires(P::kRest
 }
 
 template <class P>
-bool Motion<P>::slips(const Disk& disk) const requires(P::kSpins&& P::kRests) {
+bool Motion<P>::slips(const Disk& disk, const S& spin) const requires kCanRest {
   if (rules_.wall_friction == 0 || !(pull_ > 0)) return false;
-  const S rolling = kind(disk).radius * disk.spin;
+  const S rolling = kind(disk).radius * spin;
   const unsigned axes = carried(disk);
   if (axes == 0 || axes > 2) return false;
   // along the wall, seen with the wall on the ball's right
@@ -91,22 +83,22 @@ bool Motion<P>::slips(const Disk& disk) const requires(P::kSpins&& P::kRests) {
 }
 
 template <class P>
-bool Motion<P>::stays_together(const Vec<S>& r, const Vec<S>& v, const S& reach) const
-    requires(P::kRests) {
+bool Motion<P>::stays_together(const Vec<S>& r, const Vec<S>& v,
+                               const S& reach) const requires kCanRest {
   const S distance = root(S(r.x * r.x + r.y * r.y));
   return absolute(sharp_dot(r, v)) / distance * rules_.scale.resolution() <=
          reach * std::ldexp(1.0, kTogether);
 }
 
 template <class P>
-bool Motion<P>::collapses(const Disk& a, const Disk& b, At now) const requires(P::kRests) {
+bool Motion<P>::collapses(const Disk& a, const Disk& b, At now) const requires kCanRest {
   const S longest = rules_.scale.resolution() * kCollapse;
   return rules_.restitution < 1 && rules_.scale.seconds(now - a.start) <= longest &&
          rules_.scale.seconds(now - b.start) <= longest;
 }
 
 template <class P>
-bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const requires(P::kRests) {
+bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const requires kCanRest {
   const bool of_crowds = (stepped(a) || fixed(a)) && (stepped(b) || fixed(b));
   if (!of_crowds || (a.start != b.start && !fixed(a) && !fixed(b))) return false;
   return near(way({a.x, a.y}, {b.x, b.y}), S(kind(a).radius + kind(b).radius), S(kNear));
@@ -114,19 +106,19 @@ bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const requires(P:
 
 template <class P>
 bool Motion<P>::just_hit(const Disk& disk, const S& reach, const S& speed, At now,
-                         const S& part) const requires kPresses {
+                         const S& part) const requires kCanRest {
   if (fixed(disk)) return true;
   const S age = rules_.scale.seconds(now - disk.start);
   return age * age * pull_ <= part * part * reach && speed * age <= part * reach;
 }
 
 template <class P>
-bool Motion<P>::lies_on_something(const Disk& disk) const requires kPresses {
+bool Motion<P>::lies_on_something(const Disk& disk) const requires kCanRest {
   return !fixed(disk) && carried(disk) != 0;
 }
 
 template <class P>
-bool Motion<P>::is_at_wall(const Disk& disk, At now) const requires kPresses {
+bool Motion<P>::is_at_wall(const Disk& disk, At now) const requires kCanRest {
   if (fixed(disk)) return false;
   const Vec<S> at = wrapped(place(disk, now));
   for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
@@ -137,7 +129,7 @@ bool Motion<P>::is_at_wall(const Disk& disk, At now) const requires kPresses {
 }
 
 template <class P>
-bool Motion<P>::squeezed(const Disk& a, const Disk& b, At now) const requires kPresses {
+bool Motion<P>::squeezed(const Disk& a, const Disk& b, At now) const requires kCanRest {
   const bool loses = rules_.restitution < 1 || lies_on_something(a) || lies_on_something(b);
   const bool on_fixed = fixed(a) || fixed(b);
   const S reach = kind(a).radius + kind(b).radius;
@@ -156,8 +148,8 @@ bool Motion<P>::squeezed(const Disk& a, const Disk& b, At now) const requires kP
 }
 
 template <class P>
-bool Motion<P>::clings(const Disk& a, const Disk& b, const Vec<S>& r, At now) const
-    requires(P::kRests) {
+bool Motion<P>::clings(const Disk& a, const Disk& b, const Vec<S>& r,
+                       At now) const requires kCanRest {
   const Vec<S> v = velocity(b, now) - velocity(a, now);
   const S distance = root(S(r.x * r.x + r.y * r.y));
   const S speed = -sharp_dot(r, v) / distance;
@@ -176,7 +168,7 @@ bool Motion<P>::clings(const Disk& a, const Disk& b, const Vec<S>& r, At now) co
 }
 
 template <class P>
-bool Motion<P>::clings_to_wall(const Disk& disk, const S& speed, At now) const requires(P::kRests) {
+bool Motion<P>::clings_to_wall(const Disk& disk, const S& speed, At now) const requires kCanRest {
   return speed <= speed_of_step_ ||
          just_hit(disk, S(2 * kind(disk).radius), speed, now, S(kShortly));
 }
@@ -184,8 +176,7 @@ bool Motion<P>::clings_to_wall(const Disk& disk, const S& speed, At now) const r
 // One of the two may be carried: then they accelerate as seen from each other.
 template <class P>
 auto Motion<P>::meeting_wait(const Disk& earlier, const Disk& later, const S& reach,
-                             bool from_contact, At until) const -> S
-    requires(P::kRests&& P::Law::kBends) {
+                             bool from_contact, At until) const -> S requires kCanRest {
   const auto& law = law_of(earlier);
   const S elapsed = rules_.scale.seconds(later.start - earlier.start);
   Relative<S> relative = relative_at_later_start(law, flight(earlier), elapsed, flight(later));

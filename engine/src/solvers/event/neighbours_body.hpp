@@ -96,8 +96,9 @@ template <class P>
   if constexpr (kIsDouble<S>) {
     const TwoLanes period{periods_[0], periods_[1]};
     const TwoLanes off{here.position.x - centres_[i].x, here.position.y - centres_[i].y};
-    wait = square_exit_bound(motion_.law_of(disk), nearest(off, period, period / 2),
-                             TwoLanes{v.x, v.y}, skin_);
+    wait = motion_.ask(disk, [&](const auto& law) {
+      return square_exit_bound(law, nearest(off, period, period / 2), TwoLanes{v.x, v.y}, skin_);
+    });
   } else {
     const S skin = skin_;
     const Vec<S> off = motion_.way({centres_[i].x, centres_[i].y}, here.position);

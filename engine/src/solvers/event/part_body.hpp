@@ -48,7 +48,7 @@ template <class P>
 void Part<P>::start(const std::vector<Disk>& disks, std::size_t more, Ticks now) {
   plot_.slots = disks.size() + disks.size() / 8 + more + 64;
   tile_.keep(nullptr);
-  tile_.reset(disks, now, {}, plot_);
+  tile_.reset(disks, now, plot_);
   journal_.reset(plot_.slots);
   tile_.keep(&journal_);
   turn_ = 0;

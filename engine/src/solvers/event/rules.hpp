@@ -31,6 +31,9 @@ struct BasicRules {
   double drag_rate = 0;
   double friction = 0;  ///< of balls with each other
   double wall_friction = 0;
+  bool falls = false;  ///< gravity is an effect, be it 0 at present
+  bool spins = false;  ///< balls rub and so have a spin
+  bool rests = false;  ///< contacts can come to rest
 
   /// Gravity pulls along this axis, which is periodic.
   [[nodiscard]] bool falls_round(std::size_t axis) const {

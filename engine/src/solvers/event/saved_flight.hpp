@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -18,7 +17,7 @@ std::string text_of(const T& value) {
   if constexpr (std::is_arithmetic_v<T>) {
     return fmt::format("{}", value);
   } else {
-    return value.str(std::numeric_limits<T>::max_digits10, std::ios_base::scientific);
+    return value.text();
   }
 }
 
@@ -38,13 +37,14 @@ T number_of(const std::string& text) {
   }
 }
 
+/// `spin`: null where balls have none.
 template <class P>
-SavedFlight saved(const typename P::Disk& disk) {
+SavedFlight saved(const typename P::Disk& disk, const typename P::Scalar* spin) {
   SavedFlight flight;
   flight.start = text_of(disk.start);
   flight.position = {text_of(disk.x), text_of(disk.y)};
   flight.velocity = {text_of(disk.vx), text_of(disk.vy)};
-  if constexpr (P::kSpins) flight.spin = text_of(disk.spin);
+  if (spin != nullptr) flight.spin = text_of(*spin);
   return flight;
 }
 
@@ -57,7 +57,6 @@ typename P::Disk restored(const SavedFlight& flight) {
   disk.y = number_of<S>(flight.position[1]);
   disk.vx = number_of<S>(flight.velocity[0]);
   disk.vy = number_of<S>(flight.velocity[1]);
-  if constexpr (P::kSpins) disk.spin = number_of<S>(flight.spin);
   return disk;
 }
 

@@ -75,6 +75,7 @@ class Tile {
   using Time = typename P::Time;
   using At = typename P::At;
   using Disk = typename P::Disk;
+  static constexpr bool kCanRest = Motion<P>::kCanRest;
 
   explicit Tile(BasicRules<S> rules);
   Tile(const Tile&) = delete;
@@ -82,17 +83,19 @@ class Tile {
 
   /// Takes these flights, the others are forgotten; `now` is not before any of their starts.
   /// `left`: the fixed ball at which each flight began, kUnknown where there is none; empty:
-  /// nowhere.
-  void reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left = {});
-  /// The same for the balls in a part of the plane.
-  void reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left,
-             const Plot& plot);
+  /// nowhere.  `spins`: of the balls, where the rules have spins; empty: 0.
+  void reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left = {},
+             const std::vector<S>& spins = {});
+  /// The same for the balls in a part of the plane, which have no spins.
+  void reset(const std::vector<Disk>& disks, At now, const Plot& plot);
   /// Everything up to `until` has happened then.
   void advance_to(At until);
   /// Counts time from `by` ticks later on; nothing else changes.
   void rebase(At by);
 
   [[nodiscard]] const HugeVector<Disk>& disks() const { return disks_; }
+  /// Counter-clockwise, by ball; empty where the rules have none.
+  [[nodiscard]] const std::vector<S>& spins() const { return spins_; }
   /// The fixed ball at which a flight began; kUnknown where there is none or it does not matter.
   [[nodiscard]] Index left(Index i) const { return left_.empty() ? kUnknown : left_[i]; }
   [[nodiscard]] const Motion<P>& motion() const { return motion_; }
@@ -100,18 +103,15 @@ class Tile {
   /// How often each flight since `reset` was brought back round a periodic axis that gravity pulls
   /// along; empty for other axes.
   [[nodiscard]] const Turns& turns() const { return turns_; }
-  /// Where Motion<P>::kSettles: the balls come to rest, and this tile has stopped at `reached`.
-  [[nodiscard]] bool settles() const { return settles_; }
-  [[nodiscard]] At reached() const { return reached_; }
   [[nodiscard]] std::size_t bytes() const;
   /// From a sample of the events, scaled to all.
   [[nodiscard]] Costs costs() const;
 
-  /// Where P::kRests: who rests on this ball, or carries it, moves again.
-  void wake_around(Index i, At now) requires(P::kRests);
+  /// Where contacts rest: who rests on this ball, or carries it, moves again.
+  void wake_around(Index i, At now) requires kCanRest;
   /// The energy that gravity has given to crowds ahead of what they will have fallen at their next
   /// step.
-  [[nodiscard]] double given_ahead(At now) const requires(P::kRests);
+  [[nodiscard]] double given_ahead(At now) const requires kCanRest;
 
   // A tile of a part of the plane keeps a journal, and its balls come and go: tile_part_body.hpp.
 
@@ -137,6 +137,8 @@ class Tile {
  private:
   /// Whether several pairs are looked at side by side.
   static constexpr bool kInLanes = kIsDouble<S>;
+  void begin(const std::vector<Disk>& disks, At now, const Plot& plot);
+  [[nodiscard]] S* spin(Index i) { return spins_.empty() ? nullptr : &spins_[i]; }
   using Entry = typename Agenda<typename P::Clock>::Entry;
 
   // The order of time: tile_body.hpp.
@@ -157,9 +159,6 @@ class Tile {
   void look_again(Index i, At now);
   void count_turns(Index i, At now);
   void watch(At now);
-  /// Where Motion<P>::kSettles: after an impact with a wall, or before one of two balls.
-  void watch_hop(Index i, Index wall);
-  void watch_squeeze(Index i, Index j, At now);
 
   void note_alone(Index i, const Disk& before, Index partner, const Disk& partner_before,
                   At now) const;
@@ -168,8 +167,14 @@ class Tile {
   void scan(Index i, At now);
   /// What of `others` the ball meets before `best`.
   void look_at(Index i, const Index* others, std::uint32_t count, At now, Meeting<P>& best) const;
+  /// Where some of them, or the ball itself, may be fixed or carried.
+  void look_at_mixed(Index i, const Index* others, std::uint32_t count, At now,
+                     Meeting<P>& best) const;
   void look_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
-                     Meeting<P>& best) const requires kIsDouble<S>;
+                     Meeting<P>& best) const requires kInLanes;
+  template <class Law>
+  void look_in_lanes_by(const Law& law, Index i, const Index* others, std::uint32_t count, At now,
+                        Meeting<P>& best) const requires kInLanes;
   void look_singly(Index i, Index other, At now, Meeting<P>& best) const;
   void look_at_peg(Index i, Index peg, Meeting<P>& best) const;
   void look_alone(Index i, Meeting<P>& best) const;
@@ -182,39 +187,40 @@ class Tile {
   [[nodiscard]] bool tied(At now);
   void meet_jointly(Index i, Index partner, At now);
   [[nodiscard]] JointReport resolve(Instant& instant) const;  // tile_friction_body.hpp
-  void rub_jointly(Instant& instant) const requires P::kSpins;
+  void rub_jointly(Instant& instant) const;
   void note_instant(const Instant& instant, At now, Index ball_ball, Index ball_wall) const;
   void add_member(Instant& instant, Index i, At now) const;
   void add_contacts(Instant& instant, std::size_t member, At now);
   [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;
 
   // Contacts that rest: tile_rest_body.hpp.
-  void start_resting(At now) requires(P::kRests);
-  void lean(Index i) requires(P::kRests);
-  void schedule_step(At now) requires(P::kRests);
-  void step_if_it_slips(Disk& disk) requires(P::kRests);
-  [[nodiscard]] bool is_of_crowd(const Instant& instant, At now) const requires(P::kRests);
+  void start_resting(At now) requires kCanRest;
+  void lean(Index i) requires kCanRest;
+  void schedule_step(At now) requires kCanRest;
+  void step_if_it_slips(Index i) requires kCanRest;
+  [[nodiscard]] bool is_of_crowd(const Instant& instant, At now) const requires kCanRest;
   // Crowds: tile_crowd_body.hpp.
   struct Gathering;
-  [[nodiscard]] bool hit_crowd(Index i, Index partner, At now) requires(P::kRests);
-  void hit_crowd(Gathering& crowd, At now) requires(P::kRests);
-  void step_crowds(At now) requires(P::kRests);
-  void step_crowd(Gathering& crowd, At now) requires(P::kRests);
+  [[nodiscard]] bool hit_crowd(Index i, Index partner, At now) requires kCanRest;
+  void hit_crowd(Gathering& crowd, At now) requires kCanRest;
+  void step_crowds(At now) requires kCanRest;
+  void step_crowd(Gathering& crowd, At now) requires kCanRest;
   struct CrowdEnergy {
     S stepped;
     S ahead;
     S others;
     [[nodiscard]] S all() const { return stepped - ahead + others; }
   };
-  [[nodiscard]] CrowdEnergy energy_of(const Gathering& crowd, const S& span) const
-      requires(P::kRests);
-  void slow_down(Gathering& crowd, const S& had, const S& span) const requires(P::kRests);
-  void join(Gathering& crowd, Index i, At now) requires(P::kRests);
-  void gather(Gathering& crowd, At now) requires(P::kRests);
-  void fly_on(Gathering& crowd, At now) requires(P::kRests);
+  [[nodiscard]] CrowdEnergy energy_of(const Gathering& crowd,
+                                      const S& span) const requires kCanRest;
+  void slow_down(Gathering& crowd, const S& had, const S& span) const requires kCanRest;
+  void join(Gathering& crowd, Index i, At now) requires kCanRest;
+  void gather(Gathering& crowd, At now) requires kCanRest;
+  void fly_on(Gathering& crowd, At now) requires kCanRest;
 
   Motion<P> motion_;
   HugeVector<Disk> disks_;
+  std::vector<S> spins_;
   Neighbours<P> neighbours_{motion_};
   Agenda<typename P::Clock> agenda_;
   Counts counts_;
@@ -235,7 +241,6 @@ class Tile {
   std::size_t at_once_ = 0;      ///< impacts at that instant
   Time watched_from_ = 0;        ///< impacts are counted from here
   std::uint64_t watched_ = 0;    ///< since then
-  bool settles_ = false;
 };
 
 }  // namespace carom::event

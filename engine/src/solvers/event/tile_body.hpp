@@ -16,13 +16,25 @@ template <class P>
 Tile<P>::Tile(BasicRules<S> rules) : motion_(std::move(rules)) {}
 
 template <class P>
-void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left) {
-  reset(disks, now, left, Plot(motion_.rules().domain));
+void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left,
+                    const std::vector<S>& spins) {
+  spins_.clear();
+  if (motion_.rules().spins) {
+    spins_ = spins;
+    spins_.resize(disks.size(), S(0));
+  }
+  left_ = left;
+  begin(disks, now, Plot(motion_.rules().domain));
 }
 
 template <class P>
-void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left,
-                    const Plot& plot) {
+void Tile<P>::reset(const std::vector<Disk>& disks, At now, const Plot& plot) {
+  left_.clear();
+  begin(disks, now, plot);
+}
+
+template <class P>
+void Tile<P>::begin(const std::vector<Disk>& disks, At now, const Plot& plot) {
   const auto n = static_cast<Index>(disks.size());
   disks_.reserve(plot.slots);
   disks_.assign(disks.begin(), disks.end());
@@ -36,10 +48,10 @@ void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<In
       pegs = true;
     }
   }
-  left_.clear();
-  if ((pegs || P::kRests) && P::Law::kBends) {
-    left_ = left;
+  if ((pegs || motion_.rests()) && motion_.bends()) {
     left_.resize(n, kUnknown);
+  } else {
+    left_.clear();
   }
   counted_.clear();
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -53,7 +65,8 @@ void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<In
   at_once_ = 0;
   watched_from_ = now;
   watched_ = 0;
-  if constexpr (P::kRests) start_resting(now);
+  next_step_ = P::Clock::never();
+  if constexpr (kCanRest) start_resting(now);
   reached_ = now;
   start_agenda(now, plot.area());
   if (motion_.rules().collisions) {
@@ -104,8 +117,8 @@ void Tile<P>::advance_to(At until) {
                               std::span<const Entry> after_next) {
     fetch(entries, next, after_next);
   };
-  if constexpr (P::kRests) {
-    for (;;) {
+  if constexpr (kCanRest) {
+    while (motion_.hops()) {
       const Time at = std::min(next_step_, Time(until));
       if (const Entry* next = agenda_.first(at, wanted, prepare)) {
         const Entry entry = *next;
@@ -120,16 +133,12 @@ void Tile<P>::advance_to(At until) {
       }
     }
   }
-  Time end = until;
-  while (const Entry* next = agenda_.first(end, wanted, prepare)) {
+  while (const Entry* next = agenda_.first(until, wanted, prepare)) {
     const Entry entry = *next;
     agenda_.drop_first();
     if (wanted(entry)) take(entry);
-    if constexpr (Motion<P>::kSettles) {
-      if (settles_) end = std::min(end, Time(entry.time));
-    }
   }
-  reached_ = end;
+  reached_ = until;
 }
 
 // Asks for the memory that the events of the next buckets will look at, in the order in which one

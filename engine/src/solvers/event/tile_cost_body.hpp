@@ -47,7 +47,7 @@ template <class P>
   whole -= crowd_seconds_ - crowds;
 
   Costs costs;
-  if constexpr (P::Law::kBends || P::Law::kStretches) {
+  if (motion_.bends()) {
     const double flight = seconds_of([&] { use(motion_.at(before, now)); });
     if (partner != kUnknown) costs.bending = both ? 2 * flight : flight;
   }
@@ -60,12 +60,15 @@ template <class P>
   if (at_wall) {
     Disk disk = before;
     const double impact = seconds_of([&] {
-      motion_.bounce(disk, partner, now);
+      S turning = spins_.empty() ? S(0) : spins_[i];
+      motion_.bounce(disk, spins_.empty() ? nullptr : &turning, partner, now);
       use(disk);
     });
     costs.walls += std::max(0.0, impact - costs.bending);
   }
-  if constexpr (P::kSpins) {
+  if (!spins_.empty()) {
+    S spin = spins_[i];
+    S other_spin = at_ball ? spins_[partner] : S(0);
     Disk disk = before;
     Disk other = other_before;
     if (at_wall) {
@@ -74,7 +77,7 @@ template <class P>
       const int side = (partner - kWalls) % 2 == 0 ? 1 : -1;
       const S arrival = side * (axis == 0 ? disk.vx : disk.vy);
       costs.friction = seconds_of([&] {
-        motion_.rub_wall(disk, axis, side, arrival);
+        motion_.rub_wall(disk, spin, axis, side, arrival);
         use(disk);
       });
       costs.walls = std::max(0.0, costs.walls - costs.friction);
@@ -83,7 +86,7 @@ template <class P>
       if (both) motion_.carry(other, now);
       const Vec<S> r = motion_.way({disk.x, disk.y}, {other.x, other.y});
       costs.friction = seconds_of([&] {
-        motion_.rub(disk, other, r);
+        motion_.rub(disk, spin, other, other_spin, r);
         use(disk);
         use(other);
       });

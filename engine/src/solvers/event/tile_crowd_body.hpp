@@ -33,7 +33,7 @@ struct Tile<P>::Gathering {
 };
 
 template <class P>
-void Tile<P>::join(Gathering& crowd, Index i, At now) requires(P::kRests) {
+void Tile<P>::join(Gathering& crowd, Index i, At now) requires kCanRest {
   Disk& disk = disks_[i];
   number_[i] = static_cast<int>(crowd.members.size());
   crowd.members.push_back(i);
@@ -41,7 +41,7 @@ void Tile<P>::join(Gathering& crowd, Index i, At now) requires(P::kRests) {
   Vec<S> at = motion_.wrapped(motion_.place(disk, now));
   const auto& kind = motion_.kind(disk);
   S turning = 0;
-  if constexpr (P::kSpins) turning = kind.radius * disk.spin;
+  if (!spins_.empty()) turning = kind.radius * spins_[i];
   crowd.bodies.push_back({motion_.velocity(disk, now), turning, kind.inverse_mass});
   for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
     const std::size_t axis = (wall - kWalls) / 2;
@@ -53,8 +53,8 @@ void Tile<P>::join(Gathering& crowd, Index i, At now) requires(P::kRests) {
     const S side = wall % 2 == kWalls % 2 ? -1 : 1;
     const Vec<S> towards = axis == 0 ? Vec<S>{side, S(0)} : Vec<S>{S(0), side};
     const bool touches = !(gap > 2 * kind.radius * kTouching);
-    crowd.contacts.push_back({number_[i], kWall, towards, larger(gap, S(0)),
-                              P::kSpins ? S(motion_.rules().wall_friction) : S(0)});
+    crowd.contacts.push_back(
+        {number_[i], kWall, towards, larger(gap, S(0)), S(motion_.rules().wall_friction)});
     crowd.near.push_back({towards, wall, touches});
   }
   crowd.places.push_back(at);
@@ -62,9 +62,9 @@ void Tile<P>::join(Gathering& crowd, Index i, At now) requires(P::kRests) {
 
 // Whoever can be reached from the members over near contacts of balls that are of a crowd.
 template <class P>
-void Tile<P>::gather(Gathering& crowd, At now) requires(P::kRests) {
+void Tile<P>::gather(Gathering& crowd, At now) requires kCanRest {
   if (!motion_.rules().collisions) return;
-  const S friction = P::kSpins ? S(motion_.rules().friction) : S(0);
+  const S friction = motion_.rules().friction;
   std::vector<Index> around;
   for (std::size_t m = 0; m < crowd.members.size(); ++m) {
     const Index i = crowd.members[m];
@@ -96,7 +96,7 @@ void Tile<P>::gather(Gathering& crowd, At now) requires(P::kRests) {
 
 // Every member begins the flight that `crowd` says, as what `carried` says.
 template <class P>
-void Tile<P>::fly_on(Gathering& crowd, At now) requires(P::kRests) {
+void Tile<P>::fly_on(Gathering& crowd, At now) requires kCanRest {
   bool moves = false;
   for (std::size_t m = 0; m < crowd.members.size(); ++m) {
     const Index i = crowd.members[m];
@@ -108,7 +108,7 @@ void Tile<P>::fly_on(Gathering& crowd, At now) requires(P::kRests) {
     disk.y = crowd.places[m].y;
     disk.vx = crowd.bodies[m].velocity.x;
     disk.vy = crowd.bodies[m].velocity.y;
-    if constexpr (P::kSpins) disk.spin = crowd.bodies[m].turning / motion_.kind(disk).radius;
+    if (!spins_.empty()) spins_[i] = crowd.bodies[m].turning / motion_.kind(disk).radius;
     disk.start = now;
     motion_.set_carried(disk, crowd.carried[m]);
     left_[i] = kUnknown;
@@ -131,7 +131,7 @@ void Tile<P>::fly_on(Gathering& crowd, At now) requires(P::kRests) {
 
 // Whether this impact is one of a crowd; then it is done.
 template <class P>
-bool Tile<P>::hit_crowd(Index i, Index partner, At now) requires(P::kRests) {
+bool Tile<P>::hit_crowd(Index i, Index partner, At now) requires kCanRest {
   const bool ball = partner < kFirstMark;
   const bool moving = ball && !motion_.fixed(disks_[partner]);
   if (!motion_.crowded(disks_[i]) && !(moving && motion_.crowded(disks_[partner]))) {
@@ -148,7 +148,7 @@ bool Tile<P>::hit_crowd(Index i, Index partner, At now) requires(P::kRests) {
 }
 
 template <class P>
-void Tile<P>::hit_crowd(Gathering& crowd, At now) requires(P::kRests) {
+void Tile<P>::hit_crowd(Gathering& crowd, At now) requires kCanRest {
   const Stopwatch stopwatch(true, crowd_seconds_);
   gather(crowd, now);
   schedule_step(now);
@@ -244,7 +244,7 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) requires(P::kRests) {
 }
 
 template <class P>
-void Tile<P>::step_crowds(At now) requires(P::kRests) {
+void Tile<P>::step_crowds(At now) requires kCanRest {
   const Stopwatch stopwatch(true, crowd_seconds_);
   std::vector<Index> all;
   for (Index i = 0; i < disks_.size(); ++i) {
@@ -264,8 +264,8 @@ void Tile<P>::step_crowds(At now) requires(P::kRests) {
 // Twice what the energy of a crowd is but for its height: what moves, less what gravity has given
 // ahead to those that are stepped, for the time of `span`.
 template <class P>
-auto Tile<P>::energy_of(const Gathering& crowd, const S& span) const -> CrowdEnergy
-    requires(P::kRests) {
+auto Tile<P>::energy_of(const Gathering& crowd, const S& span) const
+    -> CrowdEnergy requires kCanRest {
   const Vec<S>& g = motion_.law().pull();
   ExactSum<S> stepped;
   ExactSum<S> ahead;
@@ -288,7 +288,7 @@ auto Tile<P>::energy_of(const Gathering& crowd, const S& span) const -> CrowdEne
 // What is left unsolved must not make energy: those that are stepped are slowed down to what there
 // was.
 template <class P>
-void Tile<P>::slow_down(Gathering& crowd, const S& had, const S& span) const requires(P::kRests) {
+void Tile<P>::slow_down(Gathering& crowd, const S& had, const S& span) const requires kCanRest {
   const CrowdEnergy now = energy_of(crowd, span);
   if (!(now.all() > had) || !(now.stepped > 0)) return;
   // stepped a^2 - ahead a + others <= had, for the largest a
@@ -305,7 +305,7 @@ void Tile<P>::slow_down(Gathering& crowd, const S& had, const S& span) const req
 }
 
 template <class P>
-double Tile<P>::given_ahead(At now) const requires(P::kRests) {
+double Tile<P>::given_ahead(At now) const requires kCanRest {
   double sum = 0;
   if (next_step_ == P::Clock::never()) return sum;
   const S span = motion_.rules().scale.seconds(next_step_ - now);
@@ -319,7 +319,7 @@ double Tile<P>::given_ahead(At now) const requires(P::kRests) {
 }
 
 template <class P>
-void Tile<P>::step_crowd(Gathering& crowd, At now) requires(P::kRests) {
+void Tile<P>::step_crowd(Gathering& crowd, At now) requires kCanRest {
   ++counts_.steps;
   const std::size_t n = crowd.members.size();
   const Vec<S>& g = motion_.law().pull();

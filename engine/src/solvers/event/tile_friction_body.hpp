@@ -20,12 +20,12 @@ namespace carom::event {
 /// Sums are rounded once, so that no order is seen.
 template <class P>
 JointReport Tile<P>::resolve(Instant& instant) const {
-  if constexpr (P::kSpins) rub_jointly(instant);
+  if (!spins_.empty()) rub_jointly(instant);
   return joint_impact<S>(instant.bodies, instant.contacts);
 }
 
 template <class P>
-void Tile<P>::rub_jointly(Instant& instant) const requires P::kSpins {
+void Tile<P>::rub_jointly(Instant& instant) const {
   const auto& rules = motion_.rules();
   std::vector<Body<S>> bodies = instant.bodies;
   JointImpact<S> normal(bodies, instant.contacts);

@@ -26,22 +26,6 @@ void Tile<P>::watch(At now) {
 }
 
 template <class P>
-void Tile<P>::watch_hop([[maybe_unused]] Index i, [[maybe_unused]] Index wall) {
-  if constexpr (Motion<P>::kSettles) {
-    settles_ = settles_ || motion_.barely_leaves(disks_[i], wall);
-  }
-}
-
-template <class P>
-void Tile<P>::watch_squeeze([[maybe_unused]] Index i, [[maybe_unused]] Index j,
-                            [[maybe_unused]] At now) {
-  if constexpr (Motion<P>::kSettles) {
-    if (settles_ || !(motion_.pull() > 0)) return;
-    settles_ = motion_.squeezed(disks_[i], disks_[j], now);
-  }
-}
-
-template <class P>
 void Tile<P>::count_turns(Index i, At now) {
   const Vec<S> came = motion_.place(counted_[i], now);
   const auto count = [&](std::size_t axis, const S& from, const S& to) {
@@ -67,26 +51,24 @@ void Tile<P>::look_again(Index i, At now) {
 template <class P>
 void Tile<P>::meet_alone(Index i, Index partner, At now) {
   if (partner >= kWalls) {
-    motion_.bounce(disks_[i], partner, now);
+    motion_.bounce(disks_[i], spin(i), partner, now);
     ++counts_.ball_wall;
     if (!left_.empty()) left_[i] = kUnknown;
-    if constexpr (P::kRests) lean(i);
-    watch_hop(i, partner);
+    if constexpr (kCanRest) lean(i);
     return;
   }
-  watch_squeeze(i, partner, now);
-  overlap_ = motion_.strike(disks_[i], disks_[partner], now);
+  overlap_ = motion_.strike(disks_[i], spin(i), disks_[partner], spin(partner), now);
   counts_.max_overlap = std::max(counts_.max_overlap, overlap_);
   ++counts_.ball_ball;
   if (!left_.empty()) {
     left_[i] = motion_.fixed(disks_[partner]) ? partner : kUnknown;
     left_[partner] = kUnknown;
   }
-  if constexpr (P::kRests) {
+  if constexpr (kCanRest) {
     lean(i);
     lean(partner);
-    if constexpr (!P::Law::kBends) {
-      if (motion_.stay_together(disks_[i], disks_[partner])) ++counts_.resting_contacts;
+    if (motion_.clusters() && motion_.stay_together(disks_[i], disks_[partner])) {
+      ++counts_.resting_contacts;
     }
   }
 }
@@ -112,12 +94,13 @@ void Tile<P>::meet(Index i, At now) {
   watch(now);
   const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
   if (ball) forget(partner);
-  if constexpr (Motion<P>::kHopping) {
-    if (hit_crowd(i, partner, now)) return;
+  if constexpr (kCanRest) {
+    if (motion_.hops() && hit_crowd(i, partner, now)) return;
   }
   bool jointly = tied(now);
-  if constexpr (P::kRests && !P::Law::kBends) {
-    jointly = jointly || (ball && motion_.collapses(disks_[i], disks_[partner], now));
+  if constexpr (kCanRest) {
+    jointly = jointly ||
+              (motion_.clusters() && ball && motion_.collapses(disks_[i], disks_[partner], now));
   }
   if (jointly) {
     meet_jointly(i, partner, now);
@@ -125,6 +108,8 @@ void Tile<P>::meet(Index i, At now) {
   }
   const Disk before = disks_[i];
   const Disk partner_before = ball ? disks_[partner] : Disk{};
+  const S spin_before = spins_.empty() ? S(0) : spins_[i];
+  const S partner_spin_before = spins_.empty() || !ball ? S(0) : spins_[partner];
   const Counts counts = counts_;
   const Index left = left_.empty() ? kUnknown : left_[i];
   const Index partner_left = left_.empty() || !ball ? kUnknown : left_[partner];
@@ -137,15 +122,16 @@ void Tile<P>::meet(Index i, At now) {
   }
   // The blow is passed on at once: take it back, and resolve all that touches together.
   counts_ = counts;
-  const auto take_back = [this](Index k, const Disk& flight) {
+  const auto take_back = [this](Index k, const Disk& flight, const S& had) {
     unlink(k);
     const Time leaves = disks_[k].leaves;
     disks_[k] = flight;
     disks_[k].leaves = leaves;
+    if (!spins_.empty()) spins_[k] = had;
     forget(k);
   };
-  take_back(i, before);
-  if (ball) take_back(partner, partner_before);
+  take_back(i, before, spin_before);
+  if (ball) take_back(partner, partner_before, partner_spin_before);
   if (!left_.empty()) {
     left_[i] = left;
     if (ball) left_[partner] = partner_left;
@@ -166,7 +152,7 @@ void Tile<P>::next_event(Index i, At now) {
   Meeting<P> best{disks_[i].meets, kUnknown};
   look_at(i, fresh.data(), static_cast<std::uint32_t>(fresh.size()), now, best);
   disks_[i].leaves = neighbours_.leaving(disks_[i], i, here, now);
-  if constexpr (!P::kRests) look_alone(i, best);
+  look_alone(i, best);
   link(i, best);
   announce(i);
 }

@@ -45,8 +45,9 @@ bool Tile<P>::touch(Index i, Index j, At now, const Vec<S>& r) const {
   const Disk& b = disks_[j];
   if (!(squared_gap(r, motion_.kind(a).radius + motion_.kind(b).radius) > 0)) return true;
   const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
-  if constexpr (P::kRests && !P::Law::kBends) {
-    if (near(r, S(motion_.kind(a).radius + motion_.kind(b).radius), S(kTouching / 32)) &&
+  if constexpr (kCanRest) {
+    if (motion_.clusters() &&
+        near(r, S(motion_.kind(a).radius + motion_.kind(b).radius), S(kTouching / 32)) &&
         motion_.collapses(a, b, now)) {
       return true;
     }
@@ -60,7 +61,7 @@ void Tile<P>::add_member(Instant& instant, Index i, At now) const {
   instant.members.push_back(i);
   instant.places.push_back(motion_.wrapped(motion_.place(disk, now)));
   instant.bodies.push_back({motion_.velocity(disk, now), motion_.kind(disk).inverse_mass});
-  if constexpr (P::kSpins) instant.spins.push_back(disk.spin);
+  if (!spins_.empty()) instant.spins.push_back(spins_[i]);
 }
 
 template <class P>
@@ -133,7 +134,7 @@ void Tile<P>::note_instant(const Instant& instant, At now, Index ball_ball, Inde
 
 // Whether one of a crowd touches, two cling to each other, or they are too many.
 template <class P>
-bool Tile<P>::is_of_crowd(const Instant& instant, At now) const requires(P::kRests) {
+bool Tile<P>::is_of_crowd(const Instant& instant, At now) const requires kCanRest {
   // Elastic ones part again.
   if (motion_.rules().restitution < 1 && instant.contacts.size() > kManyContacts) return true;
   for (const Index m : instant.members) {
@@ -158,13 +159,11 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
   if (partner < kFirstMark) add_member(instant, partner, now);
   for (std::size_t k = 0; k < instant.members.size(); ++k) {
     // A crowd is resolved as a whole.
-    if constexpr (Motion<P>::kHopping) {
-      if (motion_.crowded(disks_[instant.members[k]])) continue;
-    }
+    if (motion_.hops() && motion_.crowded(disks_[instant.members[k]])) continue;
     add_contacts(instant, k, now);
   }
-  if constexpr (Motion<P>::kHopping) {
-    if (is_of_crowd(instant, now)) {
+  if constexpr (kCanRest) {
+    if (motion_.hops() && is_of_crowd(instant, now)) {
       Gathering crowd;
       for (const Index m : instant.members) {
         if (!motion_.fixed(disks_[m])) join(crowd, m, now);
@@ -188,11 +187,6 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     return;
   }
 
-  for (const Contact<S>& contact : instant.contacts) {
-    if (contact.b == kWall) continue;
-    watch_squeeze(instant.members[static_cast<std::size_t>(contact.a)],
-                  instant.members[static_cast<std::size_t>(contact.b)], now);
-  }
   const std::vector<Body<S>> before = instant.bodies;
   ++counts_.joint_impacts;
   const JointReport report = resolve(instant);
@@ -210,7 +204,7 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     Disk& disk = disks_[m];
     if (motion_.fixed(disk)) continue;
     bool same = before[k].velocity == instant.bodies[k].velocity;
-    if constexpr (P::kSpins) same = same && disk.spin == instant.spins[k];
+    if (!spins_.empty()) same = same && spins_[m] == instant.spins[k];
     if (same && m != i && m != partner) continue;
     unlink(m);
     forget(m);
@@ -220,7 +214,7 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     disk.y = instant.places[k].y;
     disk.vx = instant.bodies[k].velocity.x;
     disk.vy = instant.bodies[k].velocity.y;
-    if constexpr (P::kSpins) disk.spin = instant.spins[k];
+    if (!spins_.empty()) spins_[m] = instant.spins[k];
     disk.start = now;
     if (journal_ != nullptr) journal_->note_speed(disk);
     if (!left_.empty()) left_[m] = kUnknown;
@@ -230,7 +224,6 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     if (disk.start != now) continue;
     const S at = motion_.wall(disk, {disk.x, disk.y}, stop.wall).stop;
     (stop.wall - kWalls < 2 ? disk.x : disk.y) = at;
-    watch_hop(instant.members[stop.member], stop.wall);
   }
   if (!left_.empty()) {
     for (const Contact<S>& contact : instant.contacts) {
@@ -240,9 +233,9 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
       if (motion_.fixed(disks_[b]) && disks_[a].start == now) left_[a] = b;
     }
   }
-  if constexpr (P::kRests) {
+  if constexpr (kCanRest) {
     for (const Index m : changed) lean(m);
-    if constexpr (!P::Law::kBends) {
+    if (motion_.clusters()) {
       for (const Contact<S>& contact : instant.contacts) {
         if (contact.b == kWall || contact.restitution == 1) continue;
         const Disk& a = disks_[instant.members[static_cast<std::size_t>(contact.a)]];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 
 #include "solvers/event/flight_lanes.hpp"
 #include "solvers/event/pair_lanes.hpp"
@@ -10,14 +11,26 @@ namespace carom::event {
 
 template <class P>
 void Tile<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
-                            Meeting<P>& best) const requires kIsDouble<S> {
+                            Meeting<P>& best) const requires kInLanes {
+  if constexpr (std::is_same_v<typename P::Law, BallisticLaw<S>>) {
+    if (!motion_.bends()) {
+      look_in_lanes_by(StraightLaw<S>{}, i, others, count, now, best);
+      return;
+    }
+  }
+  // What the loop does not change, out of the reach of what it calls.
+  look_in_lanes_by(typename P::Law(motion_.law()), i, others, count, now, best);
+}
+
+template <class P>
+template <class Law>
+void Tile<P>::look_in_lanes_by(const Law& law, Index i, const Index* others, std::uint32_t count,
+                               At now, Meeting<P>& best) const requires kInLanes {
   const Disk& me = disks_[i];
   const auto place_of = [](const Disk& disk) { return TwoLanes{disk.x, disk.y}; };
   const auto velocity_of = [](const Disk& disk) { return TwoLanes{disk.vx, disk.vy}; };
   const auto times_of = [](const Disk& disk) { return WholeTwoLanes{disk.start, disk.meets}; };
   const auto radius_of = [&](const Disk* disk) { return motion_.kind(*disk).radius; };
-  // What the loop does not change, out of the reach of what it calls.
-  const typename P::Law law = motion_.law();
   const Lanes zero{};
   const WholeLanes never = all(kNever);
   const Lanes longest = all(static_cast<double>(kLongestFlight));
@@ -65,7 +78,7 @@ void Tile<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, A
               Lanes{radius_of(disk[0]), radius_of(disk[1]), radius_of(disk[2]), radius_of(disk[3])};
     }
     Lanes wait = pair_times(r.dx, r.dy, r.dvx, r.dvy, reach);
-    if constexpr (P::Law::kStretches) {
+    if constexpr (Law::kStretches) {
       // What is too late without it need not be known.
       const Lanes straight = wait * per_second * (1 - 0x1p-30);
       const WholeLanes early =

@@ -82,7 +82,7 @@ void Tile<P>::undo(At moment) {
   if (motion_.rules().collisions) {
     for (const Index i : journal_->renewed()) {
       // A straight way from square to square stays in it, a bent one need not.
-      if (!P::Law::kBends && neighbours_.in_square(disks_[i], i, moment)) continue;
+      if (!motion_.bends() && neighbours_.in_square(disks_[i], i, moment)) continue;
       lift(i);
       changed.push_back(i);
     }

@@ -9,66 +9,59 @@
 namespace carom::event {
 
 template <class P>
-void Tile<P>::start_resting(At now) requires(P::kRests) {
-  next_step_ = P::Clock::never();
-  if constexpr (P::Law::kBends) {
-    number_.assign(disks_.size(), -1);
-    for (Disk& disk : disks_) {
-      if (motion_.fixed(disk)) continue;
-      if (motion_.carried(disk) < kLying && disk.start == now) {
-        motion_.lean_on_walls(disk);
-        step_if_it_slips(disk);
-      }
-      if (motion_.carried(disk) >= kStepped) schedule_step(now);
+void Tile<P>::start_resting(At now) requires kCanRest {
+  if (!motion_.hops()) return;
+  number_.assign(disks_.size(), -1);
+  for (Index i = 0; i < disks_.size(); ++i) {
+    Disk& disk = disks_[i];
+    if (motion_.fixed(disk)) continue;
+    if (motion_.carried(disk) < kLying && disk.start == now) {
+      motion_.lean_on_walls(disk);
+      step_if_it_slips(i);
     }
+    if (motion_.carried(disk) >= kStepped) schedule_step(now);
   }
 }
 
 template <class P>
-void Tile<P>::schedule_step(At now) requires(P::kRests) {
+void Tile<P>::schedule_step(At now) requires kCanRest {
   if (next_step_ != P::Clock::never() || !(motion_.pull() > 0)) return;
   const int shift = motion_.step_shift();
   next_step_ = P::Clock::span(P::Clock::steps(now, shift) + 1, shift);
 }
 
 template <class P>
-void Tile<P>::lean(Index i) requires(P::kRests) {
-  if constexpr (P::Law::kBends) {
-    Disk& disk = disks_[i];
-    if (motion_.fixed(disk)) return;
-    const unsigned before = motion_.carried(disk);
-    motion_.lean_on_walls(disk);
-    const Index peg = left_[i];
-    if (peg != kUnknown) motion_.lean_on_peg(disk, disks_[peg]);
-    if ((motion_.carried(disk) & ~before) != 0) ++counts_.resting_contacts;
-    step_if_it_slips(disk);
-  }
+void Tile<P>::lean(Index i) requires kCanRest {
+  Disk& disk = disks_[i];
+  if (!motion_.hops() || motion_.fixed(disk)) return;
+  const unsigned before = motion_.carried(disk);
+  motion_.lean_on_walls(disk);
+  const Index peg = left_[i];
+  if (peg != kUnknown) motion_.lean_on_peg(disk, disks_[peg]);
+  if ((motion_.carried(disk) & ~before) != 0) ++counts_.resting_contacts;
+  step_if_it_slips(i);
 }
 
 // What rubs along a wall is slowed down step by step, until it rolls.
 template <class P>
-void Tile<P>::step_if_it_slips(Disk& disk) requires(P::kRests) {
-  if constexpr (P::kSpins) {
-    if (!motion_.slips(disk)) return;
-    motion_.set_carried(disk, kJoins);
-    schedule_step(disk.start);
-  }
+void Tile<P>::step_if_it_slips(Index i) requires kCanRest {
+  if (spins_.empty() || !motion_.slips(disks_[i], spins_[i])) return;
+  motion_.set_carried(disks_[i], kJoins);
+  schedule_step(disks_[i].start);
 }
 
 template <class P>
-void Tile<P>::wake_around(Index i, At now) requires(P::kRests) {
-  if constexpr (P::Law::kBends) {
-    // Only collisions let one ball carry another, and only they keep a grid to look into.
-    if (!motion_.rules().collisions) return;
-    const Vec<S> here = motion_.wrapped(motion_.place(disks_[i], now));
-    for (const Index j :
-         neighbours_.around(static_cast<double>(here.x), static_cast<double>(here.y))) {
-      Disk& disk = disks_[j];
-      if (motion_.carried(disk) != kResting && motion_.carried(disk) != kLying) continue;
-      const S reach = motion_.kind(disks_[i]).radius + motion_.kind(disk).radius;
-      if (!near(motion_.way(here, motion_.place(disk, now)), reach, S(kNear))) continue;
-      motion_.set_carried(disk, kJoins);
-    }
+void Tile<P>::wake_around(Index i, At now) requires kCanRest {
+  // Only collisions let one ball carry another, and only they keep a grid to look into.
+  if (!motion_.hops() || !motion_.rules().collisions) return;
+  const Vec<S> here = motion_.wrapped(motion_.place(disks_[i], now));
+  for (const Index j :
+       neighbours_.around(static_cast<double>(here.x), static_cast<double>(here.y))) {
+    Disk& disk = disks_[j];
+    if (motion_.carried(disk) != kResting && motion_.carried(disk) != kLying) continue;
+    const S reach = motion_.kind(disks_[i]).radius + motion_.kind(disk).radius;
+    if (!near(motion_.way(here, motion_.place(disk, now)), reach, S(kNear))) continue;
+    motion_.set_carried(disk, kJoins);
   }
 }
 

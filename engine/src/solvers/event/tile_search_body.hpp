@@ -1,37 +1,65 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "solvers/event/pair_lanes.hpp"
 #include "solvers/event/tile.hpp"
 
 namespace carom::event {
 
+inline constexpr std::uint32_t kSideBySide = 16;
+
 template <class P>
 void Tile<P>::look_at(Index i, const Index* others, std::uint32_t count, At now,
                       Meeting<P>& best) const {
-  if (!kInLanes || !left_.empty()) {
-    for (std::uint32_t n = 0; n < count; ++n) {
-      if (P::Law::kBends && motion_.fixed(disks_[others[n]])) {
-        look_at_peg(i, others[n], best);
-      } else {
-        look_singly(i, others[n], now, best);
-      }
+  if constexpr (kInLanes) {
+    if (left_.empty()) [[likely]] {
+      look_in_lanes(i, others, count, now, best);
+      return;
     }
-  } else if constexpr (kInLanes) {
-    look_in_lanes(i, others, count, now, best);
   }
+  look_at_mixed(i, others, count, now, best);
+}
+
+template <class P>
+[[gnu::noinline]] void Tile<P>::look_at_mixed(Index i, const Index* others, std::uint32_t count,
+                                              At now, Meeting<P>& best) const {
+  const auto look_alone_at = [&](Index other) {
+    if (motion_.bends() && motion_.fixed(disks_[other])) {
+      look_at_peg(i, other, best);
+    } else {
+      look_singly(i, other, now, best);
+    }
+  };
+  if constexpr (kInLanes) {
+    if (motion_.flies(disks_[i])) {
+      // Those that fly like it are looked at side by side, in the order of the list.
+      std::array<Index, kSideBySide> flying;
+      std::uint32_t many = 0;
+      for (std::uint32_t n = 0; n < count; ++n) {
+        if (!motion_.flies(disks_[others[n]])) continue;
+        flying[many++] = others[n];
+        if (many < kSideBySide) continue;
+        look_in_lanes(i, flying.data(), many, now, best);
+        many = 0;
+      }
+      if (many > 0) look_in_lanes(i, flying.data(), many, now, best);
+      for (std::uint32_t n = 0; n < count; ++n) {
+        if (!motion_.flies(disks_[others[n]])) look_alone_at(others[n]);
+      }
+      return;
+    }
+  }
+  for (std::uint32_t n = 0; n < count; ++n) look_alone_at(others[n]);
 }
 
 template <class P>
 void Tile<P>::look_singly(Index i, Index other, At now, Meeting<P>& best) const {
   const Disk& disk = disks_[other];
-  Time at{};
-  if constexpr (P::kRests) {
-    at = motion_.pair_meets(disks_[i], disk, false, std::min(best.time, disk.meets));
-  } else {
-    at = motion_.pair_meets(disks_[i], disk);
-  }
+  Time at = motion_.rests()
+                ? motion_.pair_meets(disks_[i], disk, false, std::min(best.time, disk.meets))
+                : motion_.pair_meets(disks_[i], disk);
   if (at == P::Clock::never()) return;
   if (at < now) at = now;
   if (at == disk.meets && disk.partner != i) note_tie(at);
@@ -64,7 +92,8 @@ void Tile<P>::scan(Index i, At now) {
   if (motion_.fixed(me)) return;
   ++counts_.scans;
   Meeting<P> best{me.meets, kUnknown};
-  if constexpr (P::kRests) {
+  const bool carried = motion_.hops() && !motion_.flies(me);
+  if (carried) {
     // First, as it leaves less to look for.
     const Meeting<P> alone = motion_.alone(me);
     if (alone.time < best.time) best = alone;
@@ -76,7 +105,7 @@ void Tile<P>::scan(Index i, At now) {
       if (node->next == 0) break;
     }
   }
-  if constexpr (!P::kRests) look_alone(i, best);
+  if (!carried) look_alone(i, best);
   if (best.time < now) best.time = now;
   link(i, best);
 }

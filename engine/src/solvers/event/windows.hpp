@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "carom/crew.hpp"
+#include "solvers/event/core.hpp"
 #include "solvers/event/part.hpp"
 #include "solvers/event/regions.hpp"
 #include "solvers/event/tile.hpp"
@@ -47,14 +48,7 @@ class Windows {
  public:
   using Disk = typename P::Disk;
 
-  struct Choice {
-    std::size_t parts = 0;           ///< regions; 0: as many as there are workers and cores
-    std::size_t least_balls = 4000;  ///< with fewer there is one tile
-    double window = 0;               ///< seconds of the first window; 0: chosen
-    bool adapts = true;              ///< the length of a window follows how often one is cut short
-  };
-
-  Windows(const Rules& rules, const Choice& choice);
+  Windows(const Rules& rules, const Sharing& sharing);
 
   /// Takes these flights; `now` is not before any of their starts.
   void reset(std::vector<Disk> flights, Ticks now);
@@ -88,7 +82,7 @@ class Windows {
   void note_speed();
 
   Motion<P> motion_;
-  Choice choice_;
+  Sharing sharing_;
   std::vector<std::unique_ptr<Part<P>>> parts_;
   std::vector<const Part<P>*> readers_;
   std::optional<Regions> regions_;

@@ -20,9 +20,10 @@ inline constexpr double kLonger = 1.01;
 inline constexpr double kFirstWindow = 0.1;
 
 template <class P>
-Windows<P>::Windows(const Rules& rules, const Choice& choice) : motion_(rules), choice_(choice) {
-  for (std::size_t k = 0; k < choice.parts; ++k) {
-    parts_.push_back(std::make_unique<Part<P>>(rules, k, choice.parts));
+Windows<P>::Windows(const Rules& rules, const Sharing& sharing)
+    : motion_(rules), sharing_(sharing) {
+  for (std::size_t k = 0; k < sharing.parts; ++k) {
+    parts_.push_back(std::make_unique<Part<P>>(rules, k, sharing.parts));
     readers_.push_back(parts_.back().get());
   }
 }
@@ -55,7 +56,7 @@ void Windows<P>::reset(std::vector<Disk> flights, Ticks now) {
   const double across = std::max(pitch_ - diameter, pitch_ / 16) * pitch_ / diameter;
   const double mean = std::sqrt(square / n);
   const Ticks chosen = mean > 0 ? scale.ticks(kFirstWindow * across / mean) : kLongestFlight / 2;
-  const Ticks wanted = choice_.window > 0 ? scale.ticks(choice_.window) : chosen;
+  const Ticks wanted = sharing_.window > 0 ? scale.ticks(sharing_.window) : chosen;
   window_ = std::clamp<Ticks>(wanted, 1, kLongestFlight / 2);
   choose_rims();
 }
@@ -197,7 +198,7 @@ std::size_t Windows<P>::judge() {
   used_ = used;
   ++windows_;
   if (full_ || cut_) {
-    if (choice_.adapts) {
+    if (sharing_.adapts) {
       const double times = cut_ ? kShorter : kLonger;
       window_ = std::max<Ticks>(1, static_cast<Ticks>(static_cast<double>(window_) * times));
     }
@@ -205,7 +206,7 @@ std::size_t Windows<P>::judge() {
     const double least = kLeastEvents * static_cast<double>(parts_.size());
     if (yield_ == 0) yield_ = 2 * std::max(events, least);
     yield_ += kShare * (events - yield_);
-    if (choice_.adapts && yield_ < least) stuck_ = true;
+    if (sharing_.adapts && yield_ < least) stuck_ = true;
   }
   return next();
 }

@@ -1,4 +1,4 @@
 #include "solvers/event/compiled.hpp"
 #include "solvers/event/wide_physics.hpp"
 
-CAROM_COMPILE_EVENT(Any100Rubbing)
+CAROM_COMPILE_EVENT(WidePhysics)

@@ -1,4 +1,0 @@
-#include "solvers/event/compiled.hpp"
-#include "solvers/event/wide_physics.hpp"
-
-CAROM_COMPILE_EVENT(Any50Rubbing)

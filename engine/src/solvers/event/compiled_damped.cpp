@@ -1,3 +1,0 @@
-#include "solvers/event/compiled.hpp"
-
-CAROM_COMPILE_EVENT(Damped)

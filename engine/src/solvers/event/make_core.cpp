@@ -1,0 +1,62 @@
+#include "solvers/event/make_core.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "solvers/event/tile_core.hpp"
+#include "solvers/event/wide_core.hpp"
+#include "solvers/event/wide_physics.hpp"
+#include "state/domain.hpp"
+
+namespace carom::event {
+
+namespace {
+
+constexpr int kDigitsOfDouble = 16;
+
+}  // namespace
+
+bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
+  // Drag alone presses nothing together.
+  if (scene.effects.drag && !scene.effects.gravity) return false;
+  if (scene.continuation && scene.continuation->rests) return true;
+  if (loses_energy(scene)) return true;
+  if (!scene.effects.gravity) return false;
+  if (scene.effects.drag) return true;  // it makes every hop shorter
+  const Vec2& g = scene.effects.gravity->acceleration;
+  if (scene.effects.friction && rubs_in_corners(scene.effects.friction->walls, {g.x(), g.y()})) {
+    return true;
+  }
+  // Without losses only what lies still from the start rests, and what fits exactly between walls.
+  const Domain domain(scene.box, scene.effects.walls.has_value());
+  const auto lies = [&](const Ball& ball, std::size_t axis) {
+    if (ball.fixed) return false;
+    return ball.velocity.x() == 0 || ball.velocity.y() == 0 ||
+           domain.lowest(axis, ball.radius) == domain.highest(axis, ball.radius);
+  };
+  return std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const double x = ball.position[static_cast<Eigen::Index>(axis)];
+      if (domain.solid(axis) && lies(ball, axis) &&
+          (x == domain.lowest(axis, ball.radius) || x == domain.highest(axis, ball.radius))) {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
+std::unique_ptr<Core> make_core(CoreStart start, int digits) {
+  if (digits > kDigitsOfDouble) return std::make_unique<WideCore>(std::move(start), digits);
+  if (start.effects.drag) return std::make_unique<TileCore<Drag>>(std::move(start));
+  return std::make_unique<TileCore<Ballistic>>(std::move(start));
+}
+
+std::size_t flight_bytes(const Scene& scene) {
+  const bool wide = scene.solver.digits > kDigitsOfDouble;
+  const std::size_t spin = wide ? sizeof(WideNumber) : sizeof(double);
+  return (wide ? sizeof(WidePhysics::Disk) : sizeof(Ballistic::Disk)) +
+         (scene.effects.friction ? spin : 0);
+}
+
+}  // namespace carom::event

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "carom/scene.hpp"
+#include "solvers/event/core.hpp"
+
+namespace carom::event {
+
+/// The core for the flights and the digits that a start asks for.
+std::unique_ptr<Core> make_core(CoreStart start, int digits);
+
+/// Whether contacts of the scene can come to rest: from the start; its script tells what is set
+/// while it runs.
+bool may_rest(const Scene& scene, const std::vector<Ball>& balls);
+
+/// Memory of one ball's flight, with its spin where the scene has friction.
+std::size_t flight_bytes(const Scene& scene);
+
+}  // namespace carom::event

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "solvers/event/core.hpp"
+#include "solvers/event/tile.hpp"
+#include "solvers/event/windows.hpp"
+
+namespace carom::event {
+
+/// The core of one tile of all balls, or of several where they are many and there are workers.
+///
+/// Threads: where workers share the plane, see Windows, with the phases
+///
+///     islands     each worker: which of its balls the other parts need
+///     halos       each worker: takes those into its parts
+///     impacts     each worker: solves its parts over a window
+///     check       each worker: compares its copies with their owners
+///     undo        each worker: takes back what came after the first difference
+///
+/// Else one worker does the impacts and the others wait.
+template <class P>
+class TileCore final : public Core {
+ public:
+  explicit TileCore(CoreStart start);
+
+  [[nodiscard]] std::vector<Phase> phases() override;
+  [[nodiscard]] std::size_t aim(double time) override;
+  void add(const Ball& ball) override;
+  void remove(std::size_t ball) override;
+  void set(const Domain& domain, const Effects& effects, bool bends) override;
+  void look(std::vector<Ball>& balls) const override;
+  [[nodiscard]] std::vector<ExactPosition> exact_positions() const override;
+  [[nodiscard]] Turns turns() const override { return turns(true); }
+  [[nodiscard]] double energy_ahead() const override;
+  [[nodiscard]] Tally tally() const override;
+  void save(Continuation& continuation) const override;
+
+ private:
+  using S = typename P::Scalar;
+  using Disk = typename P::Disk;
+
+  /// A moment: whole eras, and ticks of the present one.
+  struct Moment {
+    double era = 0;
+    typename P::Time ticks = 0;
+  };
+
+  [[nodiscard]] Disk flight_of(const Ball& ball) const;
+  [[nodiscard]] Moment moment(double seconds) const;
+  /// In more digits flights are so dear that there are never enough balls.
+  static constexpr bool kShares = kIsDouble<S>;
+
+  [[nodiscard]] std::vector<Phase> phases_of_windows() requires kShares;
+  [[nodiscard]] bool shares(const BasicRules<S>& rules) const;
+  [[nodiscard]] std::size_t aim_windows() requires kShares;
+  [[nodiscard]] std::size_t finish(std::size_t phase) requires kShares;
+  void sort_again();
+  [[nodiscard]] const Disk& flight(std::size_t ball) const;
+  [[nodiscard]] const Motion<P>& motion() const;
+  [[nodiscard]] const Counts& counts() const;
+  [[nodiscard]] Costs costs() const;
+  void advance();
+  void land();
+  /// How often each ball was brought back round a periodic axis that gravity pulls along, in the
+  /// flights that are over, and in the present ones if so asked.
+  [[nodiscard]] Turns turns(bool of_present_flights) const;
+  void start();
+  void take_flights(const Continuation& from, const std::string& source);
+
+  Domain domain_;
+  Effects effects_;
+  std::vector<Ball> balls_;        // as they were at the last `land`
+  std::vector<Disk> flights_;      // of the balls, in their order, while there is no tile
+  std::vector<S> spins_;           // of the balls, in their order, where they rub
+  bool rests_ = false;             // contacts can come to rest
+  std::vector<Index> left_;        // the fixed ball at which each began, by number
+  std::vector<unsigned> carried_;  // what carries each, where contacts can rest
+  std::vector<Index> slot_;        // where in the tile a ball is
+  typename P::Clock scale_;
+  Sharing sharing_;
+  bool in_windows_ = false;              // the present frame is done in windows
+  bool one_tile_ = false;                // windows did not get on
+  std::unique_ptr<Tile<P>> tile_;        // all balls,
+  std::unique_ptr<Windows<P>> windows_;  // or those of the parts
+  std::uint64_t again_ = 0;              // solved again by windows that are gone
+  Counts before_;                        // counted in tiles that are gone
+  Costs costs_before_;
+  Turns turns_before_;  // in the order of the balls
+  Moment now_;
+  Moment target_;
+};
+
+/// From the fastest ball, what falling across the box adds, and the speed that the lightest ball
+/// gets when all share the energy: the shortest time in which something crosses the box, seconds.
+double crossing_time(const Domain& domain, const Effects& effects, const std::vector<Ball>& balls);
+
+/// Where each ball stands in memory: neighbours in the plane next to each other, where the balls
+/// are so many that it matters.  No result depends on it.
+std::vector<Index> places_in_memory(const Domain& domain, const std::vector<Ball>& balls);
+
+std::array<double, 2> gravity_of(const Effects& effects);
+
+}  // namespace carom::event

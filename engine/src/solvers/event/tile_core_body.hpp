@@ -1,0 +1,464 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "carom/scene_file.hpp"
+#include "solvers/event/saved_flight.hpp"
+#include "solvers/event/tile_core.hpp"
+
+namespace carom::event {
+
+inline constexpr std::size_t kManyBalls = 4000;   // from here on their order in memory matters
+inline constexpr std::uint64_t kSortAfter = 100;  // impacts of each ball
+
+template <class P>
+TileCore<P>::TileCore(CoreStart start)
+    : domain_(start.domain),
+      effects_(std::move(start.effects)),
+      balls_(std::move(start.balls)),
+      rests_(start.rests && Motion<P>::kCanRest),
+      scale_(start.from.flights.empty()
+                 ? typename P::Clock(crossing_time(domain_, effects_, balls_))
+                 : P::Clock::of_tick(*start.from.tick)),
+      sharing_(start.sharing),
+      now_(moment(start.from.time)),
+      target_(now_) {
+  if (start.from.flights.empty()) {
+    for (const Ball& ball : balls_) {
+      flights_.push_back(flight_of(ball));
+      spins_.push_back(ball.fixed ? 0 : ball.spin);
+    }
+  } else {
+    take_flights(start.from, start.source);
+  }
+  this->start();
+}
+
+template <class P>
+void TileCore<P>::take_flights(const Continuation& from, const std::string& source) {
+  const std::vector<SavedFlight>& flights = from.flights;
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    flights_.push_back(restored<P>(flights[i]));
+    const auto& left = flights[i].left;
+    left_.push_back(left ? static_cast<Index>(*left) : kUnknown);
+    carried_.push_back(rests_ ? flights[i].carried : 0);
+    spins_.push_back(effects_.friction ? number_of<S>(flights[i].spin) : S(0));
+    const auto& start = flights_.back().start;
+    const auto earliest = -P::Clock::longest_flight();
+    if (balls_[i].fixed || (start <= now_.ticks && start >= earliest)) continue;
+    throw SceneError(source,
+                     {{fmt::format("/continuation/flights/{}/start", i),
+                       fmt::format("must be from {} to {}, the present of its clock, "
+                                   "got {}",
+                                   text_of(earliest), text_of(now_.ticks), flights[i].start)}});
+  }
+}
+
+template <class P>
+auto TileCore<P>::flight_of(const Ball& ball) const -> Disk {
+  const Room<S> room(domain_);
+  Disk disk;
+  disk.x = room.wrapped(0, ball.position.x());
+  disk.y = room.wrapped(1, ball.position.y());
+  disk.vx = ball.fixed ? 0 : ball.velocity.x();
+  disk.vy = ball.fixed ? 0 : ball.velocity.y();
+  disk.start = now_.ticks;
+  return disk;
+}
+
+template <class P>
+auto TileCore<P>::moment(double seconds) const -> Moment {
+  using std::floor;
+  const S length = static_cast<S>(P::Clock::era());
+  const S ticks = seconds * scale_.per_second();
+  const S era = floor(S(ticks / length));
+  return {static_cast<double>(era), P::Clock::whole(ticks - era * length)};
+}
+
+template <class P>
+std::vector<Phase> TileCore<P>::phases() {
+  if constexpr (kShares) {
+    if (windows_) return phases_of_windows();
+  }
+  sharing_.parts = 1;
+  return {{"impacts",
+           [this](Share share) {
+             if (share.index == 0) advance();
+           },
+           [] { return Phase::kFrameDone; }}};
+}
+
+template <class P>
+std::vector<Phase> TileCore<P>::phases_of_windows() requires kShares {
+  std::vector<Phase> phases;
+  for (const char* name : {"islands", "halos", "impacts", "check", "undo"}) {
+    const std::size_t number = phases.size();
+    phases.push_back({name,
+                      [this, number](Share share) {
+                        if (in_windows_) {
+                          windows_->work(number, share);
+                        } else if (share.index == 0) {
+                          advance();
+                        }
+                      },
+                      [this, number] { return finish(number); }});
+  }
+  return phases;
+}
+
+template <class P>
+std::size_t TileCore<P>::aim(double time) {
+  const Moment wanted = moment(time);
+  if (wanted.era < now_.era || (wanted.era == now_.era && wanted.ticks <= now_.ticks)) {
+    return Phase::kFrameDone;
+  }
+  target_ = wanted;
+  if constexpr (kShares) {
+    in_windows_ = windows_ != nullptr;
+    if (in_windows_) return aim_windows();
+  }
+  if (sharing_.parts > 1) return Windows<P>::kImpacts;
+  return 0;
+}
+
+template <class P>
+void TileCore<P>::advance() {
+  while (now_.era < target_.era) {
+    tile_->advance_to(P::Clock::era());
+    tile_->rebase(P::Clock::era());
+    now_ = {now_.era + 1, 0};
+  }
+  tile_->advance_to(target_.ticks);
+  now_ = target_;
+  sort_again();
+}
+
+template <class P>
+void TileCore<P>::sort_again() {
+  const std::uint64_t impacts = counts().ball_ball + counts().ball_wall;
+  if (balls_.size() >= kManyBalls && impacts > kSortAfter * balls_.size()) {
+    land();
+    one_tile_ = false;
+    start();
+  }
+}
+
+/// Whether the balls are many enough, and nothing comes to rest or is left at a fixed ball.
+template <class P>
+bool TileCore<P>::shares(const BasicRules<S>& rules) const {
+  if (sharing_.parts < 2 || one_tile_ || !kShares || rules.rests || rules.spins) return false;
+  if (balls_.size() < sharing_.least_balls || !effects_.collisions) return false;
+  // Parts do not count turns.
+  if (can_rest(rules) || rules.falls_round(0) || rules.falls_round(1)) return false;
+  return !(effects_.gravity || effects_.drag) ||
+         std::none_of(balls_.begin(), balls_.end(), [](const Ball& ball) { return ball.fixed; });
+}
+
+template <class P>
+std::size_t TileCore<P>::aim_windows() requires kShares {
+  return windows_->aim(now_.era < target_.era ? P::Clock::era() : target_.ticks);
+}
+
+template <class P>
+std::size_t TileCore<P>::finish(std::size_t phase) requires kShares {
+  if (!in_windows_) return Phase::kFrameDone;
+  std::size_t next = windows_->finish(phase);
+  while (next == Phase::kFrameDone) {
+    now_.ticks = windows_->now();
+    if (windows_->stuck()) {
+      land();
+      one_tile_ = true;
+      start();
+      in_windows_ = false;
+      return Windows<P>::kImpacts;
+    }
+    if (now_.era == target_.era) {
+      sort_again();
+      return Phase::kFrameDone;
+    }
+    windows_->rebase(P::Clock::era());
+    now_ = {now_.era + 1, 0};
+    if (target_.ticks == 0) return Phase::kFrameDone;
+    next = aim_windows();
+  }
+  return next;
+}
+
+template <class P>
+auto TileCore<P>::flight(std::size_t ball) const -> const Disk& {
+  if constexpr (kShares) {
+    if (windows_) return windows_->flight(slot_[ball]);
+  }
+  return tile_->disks()[slot_[ball]];
+}
+
+template <class P>
+const Motion<P>& TileCore<P>::motion() const {
+  if constexpr (kShares) {
+    if (windows_) return windows_->motion();
+  }
+  return tile_->motion();
+}
+
+template <class P>
+const Counts& TileCore<P>::counts() const {
+  if constexpr (kShares) {
+    if (windows_) return windows_->counts();
+  }
+  return tile_->counts();
+}
+
+template <class P>
+Costs TileCore<P>::costs() const {
+  if constexpr (kShares) {
+    if (windows_) return windows_->costs();
+  }
+  return tile_->costs();
+}
+
+template <class P>
+Turns TileCore<P>::turns(bool of_present_flights) const {
+  Turns turns = turns_before_;
+  if (!tile_) return turns;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (tile_->turns()[axis].empty()) {
+      turns[axis].clear();
+      continue;
+    }
+    turns[axis].resize(slot_.size(), 0);
+    const S period = domain_.period[axis];
+    for (std::size_t i = 0; i < slot_.size(); ++i) {
+      turns[axis][i] += tile_->turns()[axis][slot_[i]];
+      if (!of_present_flights || balls_[i].fixed) continue;
+      const Vec<S> at = motion().place(flight(i), now_.ticks);
+      const Vec<S> image = motion().wrapped(at);
+      const S apart = axis == 0 ? S(at.x - image.x) : S(at.y - image.y);
+      turns[axis][i] += std::llrint(static_cast<double>(S(apart / period)));
+    }
+  }
+  return turns;
+}
+
+// Takes the flights out of the tile, into the order of the balls.
+template <class P>
+void TileCore<P>::land() {
+  // What a flight has gone round stays with it until it ends.
+  if (tile_) turns_before_ = turns(false);
+  look(balls_);
+  flights_.resize(slot_.size());
+  left_.assign(slot_.size(), kUnknown);
+  carried_.assign(slot_.size(), 0);
+  std::vector<Index> number(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = static_cast<Index>(i);
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    flights_[i] = flight(i);
+    carried_[i] = motion().carried(flights_[i]);
+    const Index left = windows_ ? kUnknown : tile_->left(slot_[i]);
+    if (left != kUnknown) left_[i] = number[left];
+    if (tile_ && !tile_->spins().empty()) spins_[i] = tile_->spins()[slot_[i]];
+  }
+  before_.ball_ball += counts().ball_ball;
+  before_.ball_wall += counts().ball_wall;
+  before_.joint_impacts += counts().joint_impacts;
+  before_.resting_contacts += counts().resting_contacts;
+  before_.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
+  costs_before_ += costs();
+  if constexpr (kShares) {
+    if (windows_) again_ += windows_->solved_again();
+  }
+}
+
+template <class P>
+void TileCore<P>::start() {
+  BasicRules<S> rules{domain_,
+                      scale_,
+                      gravity_of(effects_),
+                      has_collisions(effects_),
+                      effects_.collisions ? effects_.collisions->restitution : 1,
+                      effects_.walls ? effects_.walls->restitution : 1,
+                      {},
+                      effects_.drag ? effects_.drag->rate : 0,
+                      effects_.friction ? effects_.friction->balls : 0,
+                      effects_.friction ? effects_.friction->walls : 0,
+                      effects_.gravity.has_value(),
+                      effects_.friction.has_value(),
+                      rests_};
+  slot_ = places_in_memory(domain_, balls_);
+  std::map<std::pair<S, S>, Index> kinds;
+  std::vector<Disk> disks(balls_.size());
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const BasicKind<S> kind{balls_[i].radius, balls_[i].fixed ? S(0) : S(1 / S(balls_[i].mass))};
+    const auto [at, added] =
+        kinds.try_emplace({kind.radius, kind.inverse_mass}, static_cast<Index>(rules.kinds.size()));
+    if (added) rules.kinds.push_back(kind);
+    flights_[i].kind = at->second;
+  }
+  carried_.resize(balls_.size(), 0);
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    disks[slot_[i]] = flights_[i];
+    disks[slot_[i]].kind += static_cast<Index>(carried_[i] * rules.kinds.size());
+  }
+  if constexpr (kShares) {
+    if (shares(rules)) {
+      tile_.reset();
+      windows_ = std::make_unique<Windows<P>>(rules, sharing_);
+      windows_->reset(std::move(disks), now_.ticks);
+      flights_.clear();
+      return;
+    }
+  }
+  windows_.reset();
+  tile_ = std::make_unique<Tile<P>>(std::move(rules));
+  left_.resize(balls_.size(), kUnknown);
+  std::vector<Index> left(balls_.size(), kUnknown);
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    if (left_[i] != kUnknown) left[slot_[i]] = slot_[left_[i]];
+  }
+  std::vector<S> spins;
+  if (effects_.friction) {
+    spins.resize(balls_.size());
+    for (std::size_t i = 0; i < balls_.size(); ++i) spins[slot_[i]] = spins_[i];
+  }
+  tile_->reset(disks, now_.ticks, left, spins);
+  flights_.clear();
+}
+
+template <class P>
+void TileCore<P>::add(const Ball& ball) {
+  land();
+  balls_.push_back(ball);
+  flights_.push_back(flight_of(ball));
+  spins_.push_back(ball.fixed ? 0 : ball.spin);
+  for (auto& turns : turns_before_) {
+    if (!turns.empty()) turns.push_back(0);
+  }
+  start();
+}
+
+template <class P>
+void TileCore<P>::remove(std::size_t ball) {
+  if constexpr (Motion<P>::kCanRest) {
+    if (tile_) tile_->wake_around(slot_[ball], now_.ticks);
+  }
+  land();
+  balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(ball));
+  flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(ball));
+  spins_.erase(spins_.begin() + static_cast<std::ptrdiff_t>(ball));
+  left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ball));
+  for (auto& turns : turns_before_) {
+    if (!turns.empty()) turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(ball));
+  }
+  carried_.erase(carried_.begin() + static_cast<std::ptrdiff_t>(ball));
+  for (Index& left : left_) {
+    if (left == kUnknown || left < ball) continue;
+    left = left == ball ? kUnknown : left - 1;
+  }
+  start();
+}
+
+// Flights start again, too, where what carries balls at rest comes or goes.
+template <class P>
+void TileCore<P>::set(const Domain& domain, const Effects& effects, bool bends) {
+  bends = bends || (rests_ && (has_walls(effects) != has_walls(effects_) ||
+                               has_collisions(effects) != has_collisions(effects_)));
+  const Turns with_present = bends ? turns(true) : Turns{};
+  land();
+  if (bends) {
+    turns_before_ = with_present;
+    for (Disk& disk : flights_) {
+      if (disk.start != P::Clock::ever()) motion().carry(disk, now_.ticks);
+    }
+    std::fill(left_.begin(), left_.end(), kUnknown);
+    std::fill(carried_.begin(), carried_.end(), 0U);
+  }
+  domain_ = domain;
+  effects_ = effects;
+  start();
+}
+
+template <class P>
+void TileCore<P>::look(std::vector<Ball>& balls) const {
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    if (balls[i].fixed) continue;
+    const Disk& disk = flight(i);
+    const auto at = motion().wrapped(motion().place(disk, now_.ticks));
+    const auto v = motion().velocity(disk, now_.ticks);
+    balls[i].position = {static_cast<double>(at.x), static_cast<double>(at.y)};
+    balls[i].velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
+    if (tile_ && !tile_->spins().empty()) {
+      balls[i].spin = static_cast<double>(tile_->spins()[slot_[i]]);
+    }
+  }
+}
+
+template <class P>
+std::vector<ExactPosition> TileCore<P>::exact_positions() const {
+  const auto parts = [](S rest) {
+    std::vector<double> result;
+    do {
+      result.push_back(static_cast<double>(rest));
+      rest -= result.back();
+    } while (rest != 0);
+    return result;
+  };
+  const Motion<P>& motion = this->motion();
+  std::vector<ExactPosition> result(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    const auto at = motion.wrapped(motion.place(flight(i), now_.ticks));
+    result[i] = {parts(at.x), parts(at.y)};
+  }
+  return result;
+}
+
+template <class P>
+double TileCore<P>::energy_ahead() const {
+  if constexpr (Motion<P>::kCanRest) {
+    if (tile_) return tile_->given_ahead(now_.ticks);
+  }
+  return 0;
+}
+
+template <class P>
+Tally TileCore<P>::tally() const {
+  Tally tally;
+  tally.ball_ball = before_.ball_ball + counts().ball_ball;
+  tally.ball_wall = before_.ball_wall + counts().ball_wall;
+  tally.joint_impacts = before_.joint_impacts + counts().joint_impacts;
+  tally.resting_contacts = before_.resting_contacts + counts().resting_contacts;
+  tally.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
+  tally.islands_again = again_;
+  if constexpr (kShares) {
+    if (windows_) tally.islands_again += windows_->solved_again();
+  }
+  Costs costs = costs_before_;
+  costs += this->costs();
+  tally.collisions = costs.collisions;
+  tally.walls = costs.walls;
+  tally.friction = costs.friction;
+  tally.bending = costs.bending;
+  return tally;
+}
+
+template <class P>
+void TileCore<P>::save(Continuation& continuation) const {
+  continuation.tick = static_cast<double>(scale_.tick());
+  continuation.rests = rests_;
+  std::vector<std::size_t> number(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = i;
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    const bool spins = tile_ && !tile_->spins().empty();
+    continuation.flights.push_back(
+        saved<P>(flight(i), spins ? &tile_->spins()[slot_[i]] : nullptr));
+    SavedFlight& flight = continuation.flights.back();
+    flight.carried = motion().carried(this->flight(i));
+    const Index left = windows_ ? kUnknown : tile_->left(slot_[i]);
+    if (left != kUnknown) flight.left = number[left];
+  }
+}
+
+}  // namespace carom::event
