@@ -77,6 +77,14 @@ std::string said(const AccuracyProgress& progress) {
 /// A row while the study goes on: what it is and its figures so far.
 std::string live_line(const AccuracyRow& row, double time) {
   if (!row.failure.empty()) return fmt::format("  {:<20}  {}", run_name(row), row.failure);
+  if (row.rest) {
+    return fmt::format(
+        "  {:<20}  {:>8} per s  residual {:>8}  overlap {:>8}  {}", run_name(row),
+        duration_text(time > 0 ? row.seconds / time : 0),
+        error_text(row.rest->equilibrium_residual.median), error_text(row.max_overlap),
+        row.rest->rest_time ? fmt::format("at rest at {:.3g} s", row.rest->rest_time->median)
+                            : "never at rest");
+  }
   return fmt::format("  {:<20}  {:>8} per s  position {:>8}  energy {:>8}  {}", run_name(row),
                      duration_text(time > 0 ? row.seconds / time : 0),
                      row.position_error ? error_text(*row.position_error) : "lost",

@@ -69,7 +69,9 @@ std::vector<Mark> marks_of(const AccuracyStudy& study) {
     const AccuracyRow& row = study.rows[i];
     const double seconds = study.seconds_per_simulated_second(row);
     if (!row.failure.empty() || !(seconds > 0)) continue;
-    const std::optional<double> value = by_horizon ? study.right_until(row) : row.position_error;
+    std::optional<double> value = row.position_error;
+    if (by_horizon) value = study.right_until(row);
+    if (row.rest) value = AccuracyStudy::rest_error(row);
     if (!value || !std::isfinite(*value)) continue;
     const AccuracyRow& first = study.rows.front();
     Mark mark;
@@ -146,6 +148,7 @@ std::string to_plot(const AccuracyStudy& study) {
 
   const bool by_horizon = study.judged_by_horizon();
   std::string text = by_horizon ? "  predictability horizon, s\n" : "  error of position\n";
+  if (study.reference.equilibrium) text = "  residual of equilibrium or overlap, the larger\n";
   for (int row = 0; row < kRows; ++row) {
     const double part = static_cast<double>(kRows - 1 - row) / (kRows - 1);
     std::string number;

@@ -31,6 +31,23 @@ std::string horizon_text(const AccuracyRow& row) {
   return fmt::format("{:.4g} s", *row.horizon);
 }
 
+std::string figure(const MedianAndSpread& value) {
+  return error_text(value.median);
+}
+
+/// The figures of a run that should come to rest.
+void add_rest(Line& line, const AccuracyRow& row) {
+  const AccuracyRest& rest = *row.rest;
+  line.push_back(figure(rest.equilibrium_residual));
+  line.push_back(error_text(row.max_overlap));
+  line.push_back(figure(rest.creep));
+  line.push_back(figure(rest.kinetic_energy));
+  line.push_back(figure(rest.dissipation_error));
+  line.push_back(fmt::format("{}", row.ball_ball));
+  line.push_back(fmt::format("{}", row.ball_wall));
+  line.push_back(rest.rest_time ? fmt::format("{:.4g} s", rest.rest_time->median) : "never");
+}
+
 Line line_of(const AccuracyStudy& study, const AccuracyRow& row, bool best, bool crews) {
   Line line{best ? "*" : "", run_name(row)};
   if (crews) line.push_back(fmt::format("{}{}", row.workers, row.per_ball ? " per-ball" : ""));
@@ -41,6 +58,10 @@ Line line_of(const AccuracyStudy& study, const AccuracyRow& row, bool best, bool
   line.push_back(duration_text(study.seconds_per_simulated_second(row)));
   line.push_back(spread_text(row));
   line.push_back(duration_text(study.time > 0 ? row.cpu_seconds / study.time : 0));
+  if (row.rest) {
+    add_rest(line, row);
+    return line;
+  }
   line.push_back(or_lost(row.position_error, "lost"));
   line.push_back(or_lost(row.energy_error, "unknown"));
   line.push_back(row.max_overlap == 0 ? "0" : fmt::format("{:.1e}", row.max_overlap));
@@ -52,6 +73,13 @@ Line line_of(const AccuracyStudy& study, const AccuracyRow& row, bool best, bool
 
 std::string reference_text(const AccuracyStudy& study) {
   const AccuracyReference& reference = study.reference;
+  if (reference.equilibrium) {
+    return fmt::format(
+        "reference: static equilibrium, to which losses under gravity lead; medians over {}\n\n",
+        study.starts == 1 ? "one start, as the scene has no fill"
+                          : fmt::format("{} starts, seeds {} to {}", study.starts, study.seed,
+                                        study.seed + study.starts - 1));
+  }
   std::string text = fmt::format("reference: {} ", method_name(reference.method));
   std::string checked;
   if (reference.step) {
@@ -92,6 +120,18 @@ std::string resolution_text(const AccuracyStudy& study) {
       "the "
       "reference; compared every {}\n",
       study.smallest_radius / kPercent, range);
+}
+
+std::vector<Line> headings(bool rest) {
+  if (rest) {
+    return {{"", "", "time", "", "CPU time", "residual of", "deepest", "creep", "kinetic",
+             "unexplained", "impacts", "of", ""},
+            {"", "run", "per s", "spread", "per s", "equilibrium", "overlap", "in radii", "energy",
+             "energy", "of balls", "walls", "at rest"}};
+  }
+  return {{"", "", "time", "", "CPU time", "error of", "error of", "deepest", "impacts", "of"},
+          {"", "run", "per s", "spread", "per s", "position", "energy", "overlap", "of balls",
+           "walls", "horizon"}};
 }
 
 }  // namespace
@@ -139,14 +179,13 @@ std::string to_table(const AccuracyStudy& study) {
                         row.per_ball ? ", one per ball" : "");
   }
   text += '\n' + reference_text(study);
-  text += fmt::format("collisions of the reference{}: {} of balls, {} with walls\n\n",
-                      study.reference.holds_until ? " until then" : "", study.reference.ball_ball,
-                      study.reference.ball_wall);
+  if (!study.reference.equilibrium) {
+    text += fmt::format("collisions of the reference{}: {} of balls, {} with walls\n\n",
+                        study.reference.holds_until ? " until then" : "", study.reference.ball_ball,
+                        study.reference.ball_wall);
+  }
 
-  std::vector<Line> lines{
-      {"", "", "time", "", "CPU time", "error of", "error of", "deepest", "impacts", "of"}};
-  lines.push_back({"", "run", "per s", "spread", "per s", "position", "energy", "overlap",
-                   "of balls", "walls", "horizon"});
+  std::vector<Line> lines = headings(study.reference.equilibrium);
   if (crews) {
     lines[0].insert(lines[0].begin() + 2, "");
     lines[1].insert(lines[1].begin() + 2, "workers");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "accuracy_table.hpp"
 #include "carom/report.hpp"
@@ -129,6 +130,82 @@ std::string by_error(const AccuracyStudy& study, double target,
                             error_text(*rival->position_error), cost);
 }
 
+constexpr double kRestTarget = 1e-3;  // of residual and overlap, where none is given
+
+/// The run of a method that comes nearest to an equilibrium.
+const AccuracyRow* best_at_rest(const AccuracyStudy& study, Method method) {
+  const AccuracyRow* best = nullptr;
+  for (const AccuracyRow& row : study.rows) {
+    if (!ran(row) || row.method != method) continue;
+    if (best == nullptr || AccuracyStudy::rest_error(row) < AccuracyStudy::rest_error(*best)) {
+      best = &row;
+    }
+  }
+  return best;
+}
+
+/// What a method has to say: the cheapest of its runs that ends well, or how near it comes.
+std::string ends_of(const AccuracyStudy& study, Method method, double target) {
+  const AccuracyRow* cheapest = nullptr;
+  for (const AccuracyRow& row : study.rows) {
+    if (!ran(row) || row.method != method || !row.rest->rest_time) continue;
+    if (AccuracyStudy::rest_error(row) > target) continue;
+    if (cheapest == nullptr || row.seconds < cheapest->seconds) cheapest = &row;
+  }
+  if (cheapest != nullptr) {
+    const std::string cost = duration_text(study.seconds_per_simulated_second(*cheapest));
+    return cheapest->step ? fmt::format("{} needs {} for that, {} per simulated second",
+                                        method_name(method), step_text(*cheapest->step), cost)
+                          : fmt::format("{}, {} per simulated second", method_name(method), cost);
+  }
+  const AccuracyRow* const best = best_at_rest(study, method);
+  if (best == nullptr) return fmt::format("{} did not run", method_name(method));
+  return fmt::format(
+      "{} does not get there: with {} the residual is {}, the overlap {}{}", method_name(method),
+      run_name(*best), error_text(best->rest->equilibrium_residual.median),
+      error_text(best->max_overlap), best->rest->rest_time ? "" : ", and the balls still move");
+}
+
+/// Where all starts end at one height, what it tends to with the step.
+std::string height_text(const AccuracyStudy& study) {
+  constexpr double kUnique = 1e-6;  // of the smallest radius
+  std::vector<const AccuracyRow*> steps;
+  for (const AccuracyRow& row : study.rows) {
+    if (!ran(row)) continue;
+    if (row.method == Method::event && row.rest->height.spread > kUnique * study.smallest_radius) {
+      return "";
+    }
+    if (row.step && row.rest->rest_time) steps.push_back(&row);
+  }
+  if (steps.size() < 2) return "";
+  const AccuracyRow& coarse = *steps[steps.size() - 2];
+  const AccuracyRow& fine = *steps.back();
+  const double limit = 2 * fine.rest->height.median - coarse.rest->height.median;
+  std::string text = fmt::format(
+      "Height of the centre of mass: {:.6g} with {}, {:.6g} with {}; extrapolated to no step, as "
+      "errors of first order go (Richardson): {:.6g}",
+      coarse.rest->height.median, run_name(coarse), fine.rest->height.median, run_name(fine),
+      limit);
+  const AccuracyRow* const event = best_at_rest(study, Method::event);
+  if (event != nullptr) text += fmt::format("; event: {:.6g}", event->rest->height.median);
+  return text + ".\n";
+}
+
+std::string by_rest(const AccuracyStudy& study) {
+  const double target = study.target.value_or(kRestTarget);
+  const bool any = std::any_of(study.rows.begin(), study.rows.end(), [](const AccuracyRow& row) {
+    return ran(row) && row.rest->rest_time;
+  });
+  if (!any) {
+    return fmt::format("No run comes to rest within {:.4g} s; --time gives it longer.\n",
+                       study.time);
+  }
+  return fmt::format("At rest and in equilibrium, residual and overlap below {:.3g}: {}; {}.\n",
+                     target, ends_of(study, Method::event, target),
+                     ends_of(study, Method::overlap, target)) +
+         height_text(study);
+}
+
 /// What a thread for each ball costs, beside the same run on the first crew.
 std::string crew_text(const AccuracyStudy& study) {
   std::string text;
@@ -162,8 +239,12 @@ std::string solver_lines(const AccuracyRow& row) {
 
 std::string to_sentences(const AccuracyStudy& study) {
   std::string text;
-  if (study.judged_by_horizon()) text += by_horizon(study);
-  if (!study.judged_by_horizon() || study.target) {
+  if (study.reference.equilibrium) {
+    text += by_rest(study);
+  } else if (study.judged_by_horizon()) {
+    text += by_horizon(study);
+  }
+  if (!study.reference.equilibrium && (!study.judged_by_horizon() || study.target)) {
     const double radius = study.smallest_radius;
     const double own = radius > 0 ? std::pow(10, std::rint(std::log10(kOwnTarget * radius))) : 1;
     const double target = study.target.value_or(own);

@@ -30,6 +30,23 @@ std::string measured(const AccuracyStudy& study, const AccuracyRow& row) {
                      row.ball_ball, row.ball_wall, or_empty(row.horizon));
 }
 
+constexpr const char* kRestNames =
+    ",starts,equilibrium_residual,equilibrium_residual_spread,creep,creep_spread,kinetic_energy,"
+    "kinetic_energy_spread,rest_time,rest_time_spread,dissipation_error,dissipation_error_spread";
+
+std::string rest_fields(const AccuracyStudy& study, const AccuracyRow& row) {
+  std::string text = fmt::format(",{}", study.starts);
+  if (!row.rest) return text + ",,,,,,,,,,";
+  const AccuracyRest& rest = *row.rest;
+  for (const std::optional<MedianAndSpread>& each :
+       {std::optional(rest.equilibrium_residual), std::optional(rest.creep),
+        std::optional(rest.kinetic_energy), rest.rest_time,
+        std::optional(rest.dissipation_error)}) {
+    text += each ? fmt::format(",{},{}", each->median, each->spread) : ",,";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string to_csv(const AccuracyStudy& study) {
@@ -39,16 +56,20 @@ std::string to_csv(const AccuracyStudy& study) {
       "repeats,"
       "seconds_per_simulated_second,position_error,energy_error,max_overlap,ball_ball,ball_wall,"
       "horizon,horizon_resolution,failed,scene,time,seed,reference_digits,true_ball_ball,"
-      "true_ball_wall,version,compiler,processor,cores,system\n";
+      "true_ball_wall,version,compiler,processor,cores,system";
+  if (reference.equilibrium) text += kRestNames;
+  text += '\n';
   for (const AccuracyRow& row : study.rows) {
     const bool lost = row.failure.empty() && row.horizon;
     text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", method_name(row.method),
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", method_name(row.method),
         or_empty(row.step), row.digits, row.workers, row.per_ball, measured(study, row),
         lost ? fmt::format("{}", row.horizon_resolution) : "", quoted(row.failure),
         quoted(study.scene), study.time, study.seed, reference.digits, reference.ball_ball,
         reference.ball_wall, version(), quoted(study.machine.compiler),
         quoted(study.machine.processor), study.machine.cores, quoted(study.machine.system));
+    if (reference.equilibrium) text += rest_fields(study, row);
+    text += '\n';
   }
   return text;
 }

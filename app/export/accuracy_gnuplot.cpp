@@ -104,9 +104,11 @@ std::string title_of(const AccuracyStudy& study) {
   return title;
 }
 
-/// A run's height: its error, or how long it is right; absent where the reference does not tell.
-std::optional<double> height_of(const AccuracyStudy& study, const AccuracyRow& row) {
+/// A run's height: its error, or how long it is right, or where it should come to rest its residual
+/// or its overlap; absent where the reference does not tell.
+std::optional<double> height_of(const AccuracyStudy& study, const AccuracyRow& row, bool residual) {
   if (!row.failure.empty()) return std::nullopt;
+  if (row.rest) return residual ? row.rest->equilibrium_residual.median : row.max_overlap;
   if (study.judged_by_horizon()) return study.right_until(row);
   return row.position_error;
 }
@@ -118,10 +120,12 @@ std::optional<double> zero_line(const AccuracyStudy& study) {
   bool zero = false;
   std::optional<double> least;
   for (const AccuracyRow& row : study.rows) {
-    const std::optional<double> height = height_of(study, row);
-    if (!height) continue;
-    zero = zero || !(*height > 0);
-    if (*height > 0 && (!least || *height < *least)) least = height;
+    for (const bool residual : {true, false}) {
+      const std::optional<double> height = height_of(study, row, residual);
+      if (!height) continue;
+      zero = zero || !(*height > 0);
+      if (*height > 0 && (!least || *height < *least)) least = height;
+    }
   }
   if (!zero) return std::nullopt;
   return least ? *least / kDecade : 1 / kDecade;
@@ -129,11 +133,11 @@ std::optional<double> zero_line(const AccuracyStudy& study) {
 
 /// The points of the rows that are wanted, a line each.
 template <class Wanted>
-std::string points(const AccuracyStudy& study, const Wanted& wanted) {
+std::string points(const AccuracyStudy& study, const Wanted& wanted, bool residual = true) {
   const std::optional<double> zero = zero_line(study);
   std::string text;
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
-    const std::optional<double> height = height_of(study, study.rows[i]);
+    const std::optional<double> height = height_of(study, study.rows[i], residual);
     const double seconds = study.seconds_per_simulated_second(study.rows[i]);
     if (!height || !(seconds > 0) || !wanted(i)) continue;
     text += *height > 0 ? fmt::format("{} {}\n", seconds, *height)
@@ -143,28 +147,45 @@ std::string points(const AccuracyStudy& study, const Wanted& wanted) {
 }
 
 /// Of a method: its line in double precision, or the rest.
-std::string points_of(const AccuracyStudy& study, Method method, bool wide) {
-  return points(study, [&](std::size_t i) {
-    return study.rows[i].method == method && (study.rows[i].digits > kDouble) == wide;
-  });
+std::string points_of(const AccuracyStudy& study, Method method, bool wide, bool residual = true) {
+  return points(
+      study,
+      [&](std::size_t i) {
+        return study.rows[i].method == method && (study.rows[i].digits > kDouble) == wide;
+      },
+      residual);
+}
+
+struct Series {
+  std::string name;
+  std::string points;
+  std::string style;
+};
+
+std::vector<Series> series_of(const AccuracyStudy& study) {
+  if (study.reference.equilibrium) {
+    return {{"overlap: residual", points_of(study, Method::overlap, false),
+             "with linespoints lw 2 pt 7 ps 1"},
+            {"overlap: overlap", points_of(study, Method::overlap, false, false),
+             "with linespoints lw 2 dt 2 pt 6 ps 1"},
+            {"event: residual", points_of(study, Method::event, false),
+             "with linespoints lw 2 pt 5 ps 1"},
+            {"event: overlap", points_of(study, Method::event, false, false),
+             "with linespoints lw 2 dt 2 pt 4 ps 1"}};
+  }
+  const std::vector<bool> best = best_choices(study);
+  return {{"overlap", points_of(study, Method::overlap, false), "with linespoints lw 2 pt 7 ps 1"},
+          {"event, 16 digits", points_of(study, Method::event, false),
+           "with linespoints lw 2 pt 5 ps 1"},
+          {"event, more digits", points_of(study, Method::event, true), "with points pt 9 ps 1.5"},
+          {"Pareto front", points(study, [&](std::size_t i) { return best[i]; }),
+           "with points pt 6 ps 2.5"}};
 }
 
 }  // namespace
 
 std::string gnuplot_script(const AccuracyStudy& study, bool png) {
-  struct Series {
-    std::string name;
-    std::string points;
-    std::string style;
-  };
-  const std::vector<bool> best = best_choices(study);
-  std::vector<Series> series{
-      {"overlap", points_of(study, Method::overlap, false), "with linespoints lw 2 pt 7 ps 1"},
-      {"event, 16 digits", points_of(study, Method::event, false),
-       "with linespoints lw 2 pt 5 ps 1"},
-      {"event, more digits", points_of(study, Method::event, true), "with points pt 9 ps 1.5"},
-      {"Pareto front", points(study, [&](std::size_t i) { return best[i]; }),
-       "with points pt 6 ps 2.5"}};
+  std::vector<Series> series = series_of(study);
   std::erase_if(series, [](const Series& each) { return each.points.empty(); });
   std::string script =
       fmt::format("set terminal {}\n", png ? "pngcairo size 900,600" : "svg size 900,600");
@@ -174,8 +195,10 @@ std::string gnuplot_script(const AccuracyStudy& study, bool png) {
       "set logscale xy\nset format xy \"10^{%L}\"\nset grid\nset key outside bottom horizontal\n"
       "set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n"
       "set xlabel \"wall-clock seconds per simulated second\"\n";
-  script += study.judged_by_horizon() ? "set ylabel \"predictability horizon, s\"\n"
-                                      : "set ylabel \"error of position at the end\"\n";
+  const char* const what = study.reference.equilibrium ? "residual of equilibrium, and overlap"
+                           : study.judged_by_horizon() ? "predictability horizon, s"
+                                                       : "error of position at the end";
+  script += fmt::format("set ylabel \"{}\"\n", what);
   if (const std::optional<double> zero = zero_line(study)) {
     script += fmt::format(
         "set ytics add (\"0 or less\" {0:.6g})\n"

@@ -13,6 +13,21 @@ Json or_null(const std::optional<double>& number) {
   return number ? Json(*number) : Json(nullptr);
 }
 
+/// The members of a run that should come to rest; null in all others.
+void set_rest(Json& json, const AccuracyRow& row) {
+  const auto set = [&](const char* name, const std::optional<MedianAndSpread>& value) {
+    json[name] = value ? Json(value->median) : Json(nullptr);
+    json[std::string(name) + "_spread"] = value ? Json(value->spread) : Json(nullptr);
+  };
+  const AccuracyRest& rest = *row.rest;
+  set("equilibrium_residual", rest.equilibrium_residual);
+  set("creep", rest.creep);
+  set("kinetic_energy", rest.kinetic_energy);
+  set("rest_time", rest.rest_time);
+  set("dissipation_error", rest.dissipation_error);
+  set("height", rest.height);
+}
+
 Json to_tree(const AccuracyStudy& study, const AccuracyRow& row) {
   Json json;
   json["method"] = method_name(row.method);
@@ -38,6 +53,7 @@ Json to_tree(const AccuracyStudy& study, const AccuracyRow& row) {
   set("ball_wall", row.ball_wall);
   set("horizon", or_null(row.horizon));
   set("horizon_resolution", row.horizon ? Json(row.horizon_resolution) : Json(nullptr));
+  if (row.rest) set_rest(json, row);
   if (failed) json["failed"] = row.failure;
   return json;
 }
@@ -57,16 +73,18 @@ std::string to_json(const AccuracyStudy& study) {
                      {"cores", study.machine.cores},
                      {"system", study.machine.system}};
   json["compiler"] = study.machine.compiler;
-  json["reference"] = {{"method", method_name(reference.method)},
-                       {"digits", reference.digits},
-                       {"step", or_null(reference.step)},
-                       {"checked_digits", reference.checked_digits},
-                       {"checked_step", or_null(reference.checked_step)},
-                       {"difference", reference.difference},
-                       {"holds_until", or_null(reference.holds_until)},
-                       {"seconds", reference.seconds},
-                       {"ball_ball", reference.ball_ball},
-                       {"ball_wall", reference.ball_wall}};
+  json["starts"] = study.starts;
+  json["reference"] = {
+      {"method", reference.equilibrium ? "equilibrium" : method_name(reference.method)},
+      {"digits", reference.digits},
+      {"step", or_null(reference.step)},
+      {"checked_digits", reference.checked_digits},
+      {"checked_step", or_null(reference.checked_step)},
+      {"difference", reference.difference},
+      {"holds_until", or_null(reference.holds_until)},
+      {"seconds", reference.seconds},
+      {"ball_ball", reference.ball_ball},
+      {"ball_wall", reference.ball_wall}};
   json["rows"] = Json::array();
   for (const AccuracyRow& row : study.rows) json["rows"].push_back(to_tree(study, row));
   json["ladder_end"] = study.ladder_end.empty() ? Json(nullptr) : Json(study.ladder_end);

@@ -275,6 +275,9 @@ Method Simulation::method() const {
 double Simulation::step() const {
   return implementation_->scene().solver.step;
 }
+const Effects& Simulation::effects() const {
+  return implementation_->scene().effects;
+}
 
 Frame Simulation::frame() const {
   Frame frame;

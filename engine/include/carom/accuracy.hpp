@@ -38,13 +38,32 @@ struct AccuracyRequest {
   /// The first computes every row, the others those of one run.  Empty: as the scene says, else one
   /// worker.
   std::vector<AccuracyCrew> crews;
-  double share = 2;  ///< time limit of one run, wall-clock seconds
+  std::size_t seeds = 8;  ///< starts of a scene that comes to rest, from its seed on
+  double share = 2;       ///< time limit of one run, wall-clock seconds
   /// Called now and then, by the thread that asked for the study.
   std::function<void(const AccuracyProgress&)> progress;
   /// Called when a row is done; its horizon may still become sharper.
   std::function<void(const AccuracyRow&)> row_done;
   /// Asked often; once true, the study ends with the rows that are done.
   std::function<bool()> stopped;
+};
+
+/// A quantity over several starts.
+struct MedianAndSpread {
+  double median = 0;
+  double spread = 0;  ///< the range of the middle half
+};
+
+/// How a run from several starts came to rest.
+struct AccuracyRest {
+  /// Least |G f - w| / |w| over contact forces f within the friction cones, at the contacts closer
+  /// than 1e-3 radii; w are the weights.
+  MedianAndSpread equilibrium_residual;
+  MedianAndSpread creep;           ///< farthest move of a ball in the last third of the time, radii
+  MedianAndSpread kinetic_energy;  ///< at the end, of m g r summed over the balls that can move
+  std::optional<MedianAndSpread> rest_time;  ///< seconds; absent: most starts never came to rest
+  MedianAndSpread dissipation_error;         ///< the unexplained part of the energy book
+  MedianAndSpread height;                    ///< of the centre of mass at the end, against gravity
 };
 
 /// One run of the scene, and how wrong it was.
@@ -77,10 +96,15 @@ struct AccuracyRow {
   /// where it should be; absent: not within the time.
   std::optional<double> horizon;
   double horizon_resolution = 0;  ///< it was not so this long before
+  /// Where the scene comes to rest; the errors and the horizon are then absent, and the other
+  /// figures are medians over the starts.
+  std::optional<AccuracyRest> rest;
 };
 
 /// The run that the others are held against.
 struct AccuracyReference {
+  /// There is none: the scene comes to rest, and its ends are held against static equilibrium.
+  bool equilibrium = false;
   Method method = Method::event;
   int digits = 0;
   std::optional<double> step;          ///< seconds; absent: it takes none
@@ -102,6 +126,7 @@ struct AccuracyStudy {
   std::size_t balls = 0;
   double smallest_radius = 0;  ///< 0: there is no ball
   std::uint64_t seed = 0;
+  std::size_t starts = 1;  ///< from this seed on
   Machine machine;
   AccuracyReference reference;
   std::vector<AccuracyRow> rows;
@@ -117,6 +142,8 @@ struct AccuracyStudy {
   [[nodiscard]] bool judged_by_horizon() const;
   /// How long a row is right, seconds: its horizon, or at least as long as the reference is.
   [[nodiscard]] double right_until(const AccuracyRow& row) const;
+  /// What a row is judged by where it should come to rest: the larger of residual and overlap.
+  [[nodiscard]] static double rest_error(const AccuracyRow& row);
   /// CPU time of all rows over their wall-clock time where other programs had more than a tenth of
   /// it; absent: the machine was quiet.
   [[nodiscard]] std::optional<double> processor_share() const;
@@ -138,7 +165,8 @@ class NoReference : public std::runtime_error {
 /// that says so.
 AccuracyStudy study_accuracy(const Scene& scene, const AccuracyRequest& request);
 
-/// The cheapest row whose error of position is at most `target`; of rows whose times cannot be told
+/// The cheapest row whose error of position, or where the scene comes to rest, whose residual and
+/// overlap, are at most `target`; of rows whose times cannot be told
 /// apart, the one with the fewest digits.
 std::optional<std::size_t> cheapest_within(const AccuracyStudy& study, double target);
 

@@ -47,6 +47,7 @@ class Simulation {
   [[nodiscard]] std::size_t workers() const;
   [[nodiscard]] Method method() const;
   [[nodiscard]] double step() const;
+  [[nodiscard]] const Effects& effects() const;  ///< as they are now
 
   [[nodiscard]] Frame frame() const;
   [[nodiscard]] Measurements measure() const;

@@ -10,6 +10,7 @@ constexpr double kQuiet = 0.9;  // of the time that a quiet machine leaves to a 
 
 /// Less is better.
 double badness(const AccuracyStudy& study, const AccuracyRow& row) {
+  if (study.reference.equilibrium) return AccuracyStudy::rest_error(row);
   if (study.judged_by_horizon()) return -study.right_until(row);
   return row.position_error.value_or(std::numeric_limits<double>::infinity());
 }
@@ -25,9 +26,20 @@ bool is_cheaper(const AccuracyRow& one, const AccuracyRow& other) {
   return one.seconds < other.seconds;
 }
 
+bool meets(const AccuracyRow& row, double target) {
+  if (!row.failure.empty()) return false;
+  if (row.rest) return row.rest->rest_time && AccuracyStudy::rest_error(row) <= target;
+  return row.position_error && *row.position_error <= target;
+}
+
 }  // namespace
 
+double AccuracyStudy::rest_error(const AccuracyRow& row) {
+  return row.rest ? std::max(row.rest->equilibrium_residual.median, row.max_overlap) : 0;
+}
+
 bool AccuracyStudy::judged_by_horizon() const {
+  if (reference.equilibrium) return false;
   bool any = false;
   for (const AccuracyRow& row : rows) {
     if (!row.failure.empty()) continue;
@@ -61,14 +73,14 @@ std::optional<std::size_t> cheapest_within(const AccuracyStudy& study, double ta
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const AccuracyRow& row = study.rows[i];
-    if (!row.failure.empty() || !row.position_error || *row.position_error > target) continue;
+    if (!meets(row, target)) continue;
     if (!best || row.seconds < study.rows[*best].seconds) best = i;
   }
   if (!best) return best;
   const AccuracyRow& cheapest = study.rows[*best];
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const AccuracyRow& row = study.rows[i];
-    if (!row.failure.empty() || !row.position_error || *row.position_error > target) continue;
+    if (!meets(row, target)) continue;
     if (row.digits < study.rows[*best].digits && takes_as_long(row, cheapest)) best = i;
   }
   return best;

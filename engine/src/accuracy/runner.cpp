@@ -1,5 +1,7 @@
 #include "accuracy/runner.hpp"
 
+#include <fmt/format.h>
+
 namespace carom::accuracy {
 namespace {
 
@@ -15,6 +17,12 @@ Scene computed(const Scenario& scenario, const Way& way, const AccuracyCrew& cre
 }
 
 }  // namespace
+
+std::string name_of(const Way& way) {
+  const char* const method = way.method == Method::event ? "event" : "overlap";
+  return way.step ? fmt::format("{} at 1/{:.5g} s", method, 1 / *way.step)
+                  : fmt::format("{} with {} digits", method, way.digits);
+}
 
 Runner::Runner(const Scenario& scenario, const Way& way, const AccuracyCrew& crew)
     : scenario_(scenario), simulation_(computed(scenario, way, crew)) {}

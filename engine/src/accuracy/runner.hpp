@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "accuracy/scenario.hpp"
 #include "carom/accuracy.hpp"
@@ -15,6 +16,9 @@ struct Way {
   std::optional<double> step;  ///< absent: the scene's, which nobody takes
   int digits = 16;
 };
+
+/// As in "overlap at 1/240 s".
+std::string name_of(const Way& way);
 
 /// A simulation that goes through a scenario.
 ///

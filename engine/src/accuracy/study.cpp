@@ -5,8 +5,10 @@
 #include <cmath>
 #include <map>
 
+#include "accuracy/announcer.hpp"
 #include "accuracy/assess.hpp"
 #include "accuracy/forecast.hpp"
+#include "accuracy/rest_study.hpp"
 #include "accuracy/scenario.hpp"
 #include "accuracy/timing.hpp"
 #include "accuracy/truth.hpp"
@@ -36,6 +38,7 @@ class Study {
  public:
   Study(const Scene& scene, const AccuracyRequest& request)
       : request_(request),
+        announcer_(request),
         scenario_(scenario_of(scene, request.time)),
         crews_(request.crews),
         radius_(smallest_radius(scenario_.start.balls)),
@@ -76,12 +79,6 @@ class Study {
     return radius;
   }
 
-  [[nodiscard]] static std::string name_of(const Way& way) {
-    return way.step ? fmt::format("{} at 1/{:.5g} s",
-                                  way.method == Method::event ? "event" : "overlap", 1 / *way.step)
-                    : fmt::format("event with {} digits", way.digits);
-  }
-
   void plan() {
     const AccuracyCrew& crew = crews_.front();
     const auto plan_steps = [&](Method method) {
@@ -102,15 +99,8 @@ class Study {
     unplanned_ = 2 * (crews_.size() - 1);
   }
 
-  /// Says what is computed, and what it and the rest are foreseen to take; ends where that is
-  /// asked.
   void tell(const std::string& what, std::size_t run, double left) {
-    if (request_.stopped && request_.stopped()) throw StopAsked();
-    if (!request_.progress) return;
-    const double spent = std::chrono::duration<double>(Clock::now() - started_).count();
-    const double part = spent + left > 0 ? spent / (spent + left) : 0;
-    farthest_ = std::max(farthest_, part);
-    request_.progress({run, plan_.size() + unplanned_, left, farthest_, what});
+    announcer_.tell(what, run, plan_.size() + unplanned_, left);
   }
 
   /// What the planned runs from `next` on and the horizons are foreseen to take.
@@ -281,8 +271,7 @@ class Study {
   }
 
   const AccuracyRequest& request_;
-  Clock::time_point started_ = Clock::now();
-  double farthest_ = 0;  // part done, which does not go back
+  Announcer announcer_;
   Scenario scenario_;
   std::vector<AccuracyCrew> crews_;
   double radius_;
@@ -301,6 +290,7 @@ class Study {
 }  // namespace accuracy
 
 AccuracyStudy study_accuracy(const Scene& scene, const AccuracyRequest& request) {
+  if (accuracy::comes_to_rest(scene)) return accuracy::study_rest(scene, request);
   return accuracy::Study(scene, request).run();
 }
 

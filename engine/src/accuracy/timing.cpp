@@ -14,17 +14,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kWarmUp = 1.0 / 16;  // of the run
-constexpr double kFarTooLong = 4;     // limits
 constexpr std::size_t kFewest = 3;    // repeats, of which the middle one counts
 constexpr std::size_t kMost = 25;
 constexpr double kEnough = 0.05;  // of a limit, or seconds: no more repeats after it
 constexpr double kPiece = 0.25;   // seconds of a long run after which it can be stopped
 constexpr double kMostPieces = 256;
-
-struct Spent {
-  double wall = 0;
-  double cpu = 0;  ///< of all threads
-};
 
 double cpu_now() {
   timespec now{};
@@ -45,7 +39,12 @@ Spent run(Runner& runner, double until, double pieces, const Stopped& stopped) {
   return {std::chrono::duration<double>(Clock::now() - start).count(), cpu_now() - cpu};
 }
 
-/// The value below which this part of them lies, in between by proportion.
+}  // namespace
+
+Spent advance(Runner& runner, double until) {
+  return run(runner, until, 1, {});
+}
+
 double quantile(const std::vector<double>& sorted, double part) {
   const double place = part * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);
@@ -53,8 +52,6 @@ double quantile(const std::vector<double>& sorted, double part) {
   const double beyond = place - static_cast<double>(below);
   return sorted[below] * (1 - beyond) + sorted[below + 1] * beyond;
 }
-
-}  // namespace
 
 double seconds_of_timing(double run, double limit) {
   const double enough = kEnough * std::min(limit, 1.0);
