@@ -43,6 +43,13 @@ struct Options {
   std::string report;
   std::string save;
   bool quiet = false;
+  std::string trajectory;
+  std::string events;
+  std::string series;
+  std::string trace;
+  std::uint64_t trace_frames = 120;
+  std::string cast;
+  bool no_state = false;
 
   // accuracy, which takes the time of run too
   std::vector<std::string> crews;  ///< each as `workers`; the first computes every row

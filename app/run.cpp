@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "carom/report.hpp"
 #include "carom/scene_file.hpp"
@@ -14,46 +15,40 @@
 #include "load_scene.hpp"
 #include "one_file.hpp"
 #include "progress.hpp"
+#include "run_outputs.hpp"
 #include "schedule.hpp"
 #include "standard_streams.hpp"
 #include "stretch.hpp"
 #include "summary.hpp"
-#include "view/paint.hpp"
-#include "view/text_screen.hpp"
 
 namespace carom {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Every file that a run writes, with its option.
+std::vector<std::pair<const char*, const std::string&>> files_of(const Options& options) {
+  return {{"--dump", options.dump},     {"--trajectory", options.trajectory},
+          {"--events", options.events}, {"--series", options.series},
+          {"--trace", options.trace},   {"--cast", options.cast},
+          {"--report", options.report}, {"--save", options.save}};
+}
+
 bool takes_standard_output(const Options& options) {
-  return is_standard_output(options.dump) || is_standard_output(options.report) ||
-         is_standard_output(options.save);
-}
-
-/// Whether frames are looked at: what is written once a frame.
-bool looks_at_frames(const Options& options) {
-  return !options.dump.empty();
-}
-
-void dump_frame(const Session& session, std::uint64_t number, const Options& options,
-                OutputFile& file) {
-  if (!file || number % options.every != 0) return;
-  Canvas canvas(options.columns, options.rows);
-  paint(session.simulation().frame(), canvas);
-  file.write(to_text(canvas, number, session.simulation().time()));
+  const auto files = files_of(options);
+  return std::any_of(files.begin(), files.end(),
+                     [](const auto& file) { return is_standard_output(file.second); });
 }
 
 }  // namespace
 
 int run(const Options& options) {
-  refuse_one_file_for_two(
-      {{"--dump", options.dump}, {"--report", options.report}, {"--save", options.save}});
+  refuse_one_file_for_two(files_of(options));
   const Scene scene = load_scene(options.scenes.front(), options);
 
   // Opened before anything runs: what cannot be written is found now.
   unfinished_files::remove_on_signals();
-  OutputFile dump("--dump", options.dump);
+  RunOutputs outputs(options);
   OutputFile report_file("--report", options.report);
   OutputFile save("--save", options.save);
 
@@ -61,24 +56,26 @@ int run(const Options& options) {
   Session session(scene);
   Schedule schedule(session, options);
   Progress progress(!options.quiet);
-  dump_frame(session, schedule.frame(), options, dump);
-  const bool watched = looks_at_frames(options);
+  outputs.begin(session);
+  outputs.frame(schedule.frame());
+  const bool watched = outputs.look_at_frames();
   Stretch stretch(!watched && progress.shown());
   while (watched ? schedule.next_frame() : schedule.next_frames(stretch.frames())) {
-    dump_frame(session, schedule.frame(), options, dump);
+    outputs.frame(schedule.frame());
     progress.show(schedule.part_done(), session.simulation().time());
     stretch.adapt();
   }
+  outputs.end(schedule.frame());
   progress.erase();
 
   Report report = make_report(session);
   report.frames = schedule.frames();
   report.ended = end_name(schedule.end());
   report.wall_seconds = std::chrono::duration<double>(Clock::now() - started).count();
-  report_file.write(to_json(report));
+  report_file.write(to_json(report, !options.no_state));
   save.write(write_scene(session.save()));
 
-  dump.commit();
+  outputs.commit();
   report_file.commit();
   save.commit();
   if (options.quiet) return 0;

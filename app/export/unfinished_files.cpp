@@ -20,7 +20,7 @@ struct Place {
   std::array<char, PATH_MAX> name{};
 };
 
-std::array<Place, 4> places;
+std::array<Place, 12> places;
 
 extern "C" void remove_and_end(int number) {
   for (Place& place : places) {

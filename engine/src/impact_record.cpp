@@ -8,8 +8,10 @@
 namespace carom {
 namespace {
 
+/// Of what a pair does more than once at a time, which comes first does not depend on the workers.
 auto place(const Impact& impact) {
-  return std::tuple(impact.time, impact.a, impact.b, impact.wall);
+  return std::tuple(impact.time, impact.a, impact.b, impact.wall, impact.kind, impact.impulse,
+                    impact.tangential, impact.energy_lost);
 }
 
 }  // namespace
@@ -19,13 +21,28 @@ bool is_before(const Impact& one, const Impact& other) {
 }
 
 void ImpactRecord::add(std::vector<Impact> impacts, const std::vector<std::size_t>& ids) {
+  const std::uint64_t joint = joints_;
   for (Impact& impact : impacts) {
     if (impact.a != Impact::kNoBall) impact.a = ids[impact.a];
     if (impact.b != Impact::kNoBall) impact.b = ids[impact.b];
+    latest_ = std::max(latest_, impact.time);
+    if (impact.event == 0) continue;
+    impact.event += joint;
+    joints_ = std::max(joints_, impact.event);
   }
-  std::stable_sort(impacts.begin(), impacts.end(), is_before);
+  impacts_.insert(impacts_.end(), impacts.begin(), impacts.end());
+}
+
+void ImpactRecord::add(Impact command) {
+  latest_ = std::max(latest_, command.time);
+  command.time = latest_;
+  impacts_.push_back(command);
+}
+
+std::vector<Impact> ImpactRecord::take() {
+  std::stable_sort(impacts_.begin(), impacts_.end(), is_before);
   std::unordered_map<std::uint64_t, std::uint64_t> number_of_joint;
-  for (Impact& impact : impacts) {
+  for (Impact& impact : impacts_) {
     if (impact.event == 0) {
       impact.event = next_event_++;
     } else {
@@ -34,18 +51,7 @@ void ImpactRecord::add(std::vector<Impact> impacts, const std::vector<std::size_
       impact.event = joint->second;
     }
   }
-  if (!impacts.empty()) latest_ = std::max(latest_, impacts.back().time);
-  impacts_.insert(impacts_.end(), impacts.begin(), impacts.end());
-}
-
-void ImpactRecord::add(Impact command) {
-  latest_ = std::max(latest_, command.time);
-  command.time = latest_;
-  command.event = next_event_++;
-  impacts_.push_back(command);
-}
-
-std::vector<Impact> ImpactRecord::take() {
+  joints_ = 0;
   return std::exchange(impacts_, {});
 }
 

@@ -63,7 +63,7 @@ Report make_report(const Session& session) {
   return report;
 }
 
-std::string to_json(const Report& report) {
+std::string to_json(const Report& report, bool with_state) {
   const Measurements& measured = report.measurements;
   Json json;
   json["version"] = version();
@@ -93,7 +93,7 @@ std::string to_json(const Report& report) {
   json["phases"] = seconds_by_name(measured.phases);
   json["effects"] = costs_by_name(measured.effects);
   json["state_hash"] = report.state_hash;
-  json["state"] = state_of(report);
+  if (with_state) json["state"] = state_of(report);
   return json.dump(2) + '\n';
 }
 

@@ -67,7 +67,7 @@ class Simulation::Implementation {
 
   void obey(const command::Add& add) {
     check_room(add.ball);
-    collect_impacts();
+    collect_impacts(true);
     solver_->add(add.ball);
     ids_.push_back(next_id_++);
     note({.kind = ImpactKind::add, .a = ids_.back(), .position = add.ball.position});
@@ -80,7 +80,7 @@ class Simulation::Implementation {
     if (ball >= n) {
       throw CommandError(fmt::format("there is no ball {} to remove: there are {}", ball, n));
     }
-    collect_impacts();
+    collect_impacts(true);
     const auto place = static_cast<std::ptrdiff_t>(ball);
     note({.kind = ImpactKind::remove, .a = ids_[ball], .position = position_of(ball)});
     solver_->remove(ball);
@@ -144,8 +144,8 @@ class Simulation::Implementation {
     recording_ = wanted;
     record_ = {};
   }
-  std::vector<Impact> take_impacts() {
-    collect_impacts();
+  std::vector<Impact> take_impacts(bool of_all) {
+    collect_impacts(of_all);
     return record_.take();
   }
   const std::vector<std::size_t>& ids() const { return ids_; }
@@ -171,15 +171,15 @@ class Simulation::Implementation {
   }
 
   /// Before balls get other numbers.
-  void collect_impacts() {
+  void collect_impacts(bool of_all) {
     if (!recording_) return;
     std::vector<Impact> impacts;
-    solver_->take_impacts(impacts);
+    solver_->take_impacts(impacts, of_all);
     record_.add(std::move(impacts), ids_);
   }
   void note(Impact command) {
     if (!recording_) return;
-    collect_impacts();
+    collect_impacts(true);
     command.time = time_;
     record_.add(command);
   }
@@ -314,8 +314,8 @@ const std::vector<std::size_t>& Simulation::ids() const {
 void Simulation::record_impacts(bool wanted) {
   implementation_->record_impacts(wanted);
 }
-std::vector<Impact> Simulation::take_impacts() {
-  return implementation_->take_impacts();
+std::vector<Impact> Simulation::take_impacts(bool at_the_end) {
+  return implementation_->take_impacts(at_the_end);
 }
 void Simulation::record_timeline(std::size_t frames) {
   implementation_->crew().record_timeline(frames);

@@ -43,7 +43,7 @@ struct Impact {
   double energy_lost = 0;  ///< by restitution and friction
 };
 
-/// The order of a record of events: by time, then the balls, then the wall.
+/// The order of a record of events: by time, then the balls, then the wall, then what happened.
 [[nodiscard]] bool is_before(const Impact& one, const Impact& other);
 
 }  // namespace carom

@@ -29,8 +29,8 @@ struct Report {
 
 Report make_report(const Session& session);
 
-/// The report as a JSON object.
-std::string to_json(const Report& report);
+/// The report as a JSON object, with the state of the balls or without.
+std::string to_json(const Report& report, bool with_state = true);
 
 const char* method_name(Method method);
 

@@ -67,8 +67,9 @@ class Simulation {
   /// Notes every impact and command from now on, or none any more.  Nothing else changes.
   void record_impacts(bool wanted);
   /// Those noted since the last call, in the order of is_before, numbered from 0 on through all
-  /// calls.  The same for any number of workers.
-  [[nodiscard]] std::vector<Impact> take_impacts();
+  /// calls.  The same for any number of workers.  With attraction, what has happened since the last
+  /// whole step is told only at the end of the run: until then it is done again.
+  [[nodiscard]] std::vector<Impact> take_impacts(bool at_the_end = false);
 
   /// Records from now on what the control thread and the workers do between the barriers, and keeps
   /// the last `frames` calls of `advance_to`; 0: no longer, and forgets them.

@@ -48,6 +48,9 @@ class Rub {
     impulse_ = cut / (a.inverse_mass + b.inverse_mass);
   }
 
+  /// Along t; b gains it, a loses it.
+  [[nodiscard]] const S& impulse() const { return impulse_; }
+
   /// What it does to a (`side` -1) or to b (`side` 1), in so many parts of the whole.
   Rubbed<S> on(const Rubbing<S>& disk, int side, const S& part) const {
     const S change = part * impulse_ * disk.inverse_mass;

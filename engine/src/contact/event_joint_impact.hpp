@@ -19,6 +19,15 @@ struct JointReport {
   int locked = 0;    ///< bodies that had to be given a common velocity: the last resort
 };
 
+/// The normal impulse of a contact in one reflection.
+template <class S>
+struct Stroke {
+  std::size_t contact;
+  S impulse;
+  S approach;  ///< the speed before it
+  S restitution;
+};
+
 /// What a group may cost in one instant before the rest of it is taken inelastically, in contacts
 /// times rounds. A ball between a wall and one M times as heavy needs pi sqrt(M) rounds, so
 /// without losses this is reached for M beyond 1e8, or where balls are wedged in between walls
@@ -50,8 +59,11 @@ inline constexpr double kMostWork = 1 << 16;
 template <class S>
 class JointImpact {
  public:
-  JointImpact(std::span<Body<S>> bodies, std::span<const Contact<S>> contacts)
+  /// `strokes`, if there is one, is given the impulse of each contact that is counted, in turn.
+  JointImpact(std::span<Body<S>> bodies, std::span<const Contact<S>> contacts,
+              std::vector<Stroke<S>>* strokes = nullptr)
       : bodies_(bodies),
+        strokes_(strokes),
         graph_(bodies, contacts),
         velocity_(bodies.size()),
         peak_(bodies.size()),
@@ -153,7 +165,11 @@ class JointImpact {
     const S e = lossless ? S(1) : c.restitution;
     if (!lossless) {
       note_impact(k);
-      gains_[k] = gains_[k] + (1 + e) * approach_speed(c.r, velocity(c.b) - velocity(c.a));
+      const S approach = approach_speed(c.r, velocity(c.b) - velocity(c.a));
+      gains_[k] = gains_[k] + (1 + e) * approach;
+      if (strokes_ != nullptr) {
+        strokes_->push_back({k, S((1 + e) * approach / graph_.mobility(k)), approach, e});
+      }
     }
     if (c.b == kWall) {
       Vec<S>& v = velocity_[index(c.a)];
@@ -178,10 +194,10 @@ class JointImpact {
       const S& e = graph_.contact(k).restitution;
       if (e < restitution) restitution = e;
     }
-    apply(impulses, 1 + restitution);
+    apply(impulses, 1 + restitution, !lossless);
   }
 
-  void apply(const std::vector<S>& impulses, const S& times) {
+  void apply(const std::vector<S>& impulses, const S& times, bool counted) {
     const std::vector<Vec<S>> totals = graph_.totals(impulses);
     ExactSum<S> toward;
     ExactSum<S> size;
@@ -197,6 +213,13 @@ class JointImpact {
     const S needed = size.rounded();
     if (!(needed > 0)) return;
     const S factor = times * (toward.rounded() / needed);
+    if (strokes_ != nullptr && counted) {
+      for (std::size_t k = 0; k < impulses.size(); ++k) {
+        if (!(impulses[k] > 0)) continue;
+        strokes_->push_back(
+            {k, S(-factor * impulses[k]), S(-graph_.parting(k, velocity_)), S(times - 1)});
+      }
+    }
     for (std::size_t k = 0; k < totals.size(); ++k) {
       velocity_[k] = less(velocity_[k], S(factor * bodies_[k].inverse_mass), totals[k]);
     }
@@ -220,7 +243,7 @@ class JointImpact {
     for (std::size_t k = 0; k < graph_.size(); ++k) {
       if (impulses[k] > 0) note_impact(k);
     }
-    apply(impulses, S(1));
+    apply(impulses, S(1), true);
   }
 
   void settle() {
@@ -320,6 +343,7 @@ class JointImpact {
   }
 
   std::span<Body<S>> bodies_;
+  std::vector<Stroke<S>>* strokes_;
   ContactGraph<S> graph_;
   std::vector<Vec<S>> velocity_;
   std::vector<S> peak_;

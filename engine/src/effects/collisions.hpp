@@ -4,6 +4,7 @@
 #include <span>
 
 #include "carom/effects.hpp"
+#include "contact/impact_log.hpp"
 #include "contact/pair_list.hpp"
 #include "state/domain.hpp"
 
@@ -27,12 +28,13 @@ struct CollisionRule {
   double step = 0;
 };
 
-/// How often balls met.
+/// How often balls met, and each time where that is asked for.
 struct ImpactCount {
   std::uint64_t ball_ball = 0;
   std::uint64_t ball_wall = 0;
   bool timed = false;  ///< what friction takes is measured
   double friction_seconds = 0;
+  ImpactLog log;
 };
 
 /// Gives the balls of one group of touching pairs their new velocities and moves them apart.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/dissipation.hpp"
 #include "effects/friction.hpp"
 #include "effects/rest.hpp"
 #include "state/stopwatch.hpp"
@@ -135,10 +136,13 @@ bool ContactGroup::collide(Contact& contact, const Domain& domain, const Collisi
   const LineOfCentres& line = contact.line;
   const double closing = (b.velocity - a.velocity).dot(line.r);
   if (!approaches(closing, line.length, a.velocity, b.velocity)) return false;
-  const bool bounces = -closing > rule.rest_speed * line.length;
-  exchange(contact,
-           impulse(closing, line.square, contact.inverse_masses, bounces ? rule.restitution : 0),
-           bounces, domain, rule, count);
+  Blow blow;
+  blow.bounces = -closing > rule.rest_speed * line.length;
+  const double restitution = blow.bounces ? rule.restitution : 0;
+  blow.j = impulse(closing, line.square, contact.inverse_masses, restitution);
+  blow.arrival = -closing / line.length;
+  blow.leaving = restitution * blow.arrival;
+  exchange(contact, blow, domain, rule, count);
   return true;
 }
 
@@ -161,24 +165,47 @@ bool ContactGroup::collide_under_pull(Contact& contact, const Domain& domain,
   const double leaving = bounces ? rule.restitution * arrival : 0;
   const double change = approach + leaving + half;
   if (!(change > 0)) return false;
-  exchange(contact, change / (line.length * contact.inverse_masses), bounces, domain, rule, count);
+  const double j = change / (line.length * contact.inverse_masses);
+  exchange(contact, {j, arrival, leaving, bounces}, domain, rule, count);
   return true;
 }
 
-void ContactGroup::exchange(const Contact& contact, double j, bool bounces, const Domain& domain,
+void ContactGroup::exchange(const Contact& contact, const Blow& blow, const Domain& domain,
                             const CollisionRule& rule, ImpactCount& count) {
   Member& a = members[contact.a];
   Member& b = members[contact.b];
   const LineOfCentres& line = contact.line;
-  a.velocity -= j * a.inverse_mass * line.r;
-  b.velocity += j * b.inverse_mass * line.r;
+  a.velocity -= blow.j * a.inverse_mass * line.r;
+  b.velocity += blow.j * b.inverse_mass * line.r;
+  Rubbed rubbed;
   if (rule.friction > 0) {
     const Stopwatch stopwatch(count.timed, count.friction_seconds);
-    rub(a, b, line, j * line.length, rule.friction);
+    rubbed = rub(a, b, line, blow.j * line.length, rule.friction);
   }
-  if (bounces) ++count.ball_ball;
+  if (blow.bounces) ++count.ball_ball;
+  if (count.log.wanted) {
+    rubbed.lost += lost_to_restitution(blow.arrival, blow.leaving, contact.inverse_masses);
+    Impact& impact = note(contact, blow.j * line.length, rubbed, count.log);
+    if (blow.bounces) impact.kind = ImpactKind::ball;
+  }
   rebound(a, domain, rule, count);
   rebound(b, domain, rule, count);
+}
+
+Impact& ContactGroup::note(const Contact& contact, double normal, const Rubbed& rubbed,
+                           ImpactLog& log) const {
+  Impact& impact = log.impacts.emplace_back();
+  impact.time = log.time;
+  impact.kind = ImpactKind::rest;
+  impact.a = members[contact.a].ball;
+  impact.b = members[contact.b].ball;
+  impact.position = members[contact.a].position;
+  impact.normal = contact.line.r / contact.line.length;
+  impact.distance = contact.line.distance;
+  impact.impulse = normal;
+  impact.tangential = rubbed.impulse;
+  impact.energy_lost = rubbed.lost;
+  return impact;
 }
 
 bool ContactGroup::separate(const Contact& contact, const Domain& domain, double share_a,
@@ -202,6 +229,21 @@ bool ContactGroup::separate(const Contact& contact, const Domain& domain, double
   return true;
 }
 
+void note_wall(const WallImpact& met, std::size_t axis, const Member& ball, const Rubbed& rubbed,
+               ImpactLog& log) {
+  Impact& impact = log.impacts.emplace_back();
+  impact.time = log.time;
+  impact.kind = met.bounces ? ImpactKind::wall : ImpactKind::rest;
+  impact.a = ball.ball;
+  impact.wall = side_of(axis, met.upper);
+  impact.position = ball.position;
+  impact.normal[Balls::index(axis)] = met.upper ? 1 : -1;
+  impact.distance = ball.radius;
+  impact.impulse = ball.mass * met.impulse;
+  impact.tangential = ball.mass * rubbed.impulse;
+  impact.energy_lost = ball.mass * (lost_to_restitution(met.arrival, met.leaving, 1) + rubbed.lost);
+}
+
 void ContactGroup::rebound(Member& member, const Domain& domain, const CollisionRule& rule,
                            ImpactCount& count) {
   if (member.inverse_mass == 0) return;
@@ -213,12 +255,18 @@ void ContactGroup::rebound(Member& member, const Domain& domain, const Collision
     if (!at_side(member, domain, axis, outwards)) continue;
     const bool bounces = std::abs(v) > rule.wall_rest_speed[axis];
     const double normal = v * (bounces ? 1 + rule.wall_restitution : 1);
+    const double arrival = std::abs(v);
     v *= bounces ? -rule.wall_restitution : -0.0;
+    Rubbed rubbed;
     if (rule.wall_friction > 0) {
       const Stopwatch stopwatch(count.timed, count.friction_seconds);
-      rub_wall(member, axis, normal, rule.wall_friction);
+      rubbed = rub_wall(member, axis, normal, rule.wall_friction);
     }
     if (bounces) ++count.ball_wall;
+    if (!count.log.wanted) continue;
+    const WallImpact met{member.ball, outwards > 0, bounces,
+                         arrival,     std::abs(v),  std::abs(normal)};
+    note_wall(met, axis, member, rubbed, count.log);
   }
 }
 

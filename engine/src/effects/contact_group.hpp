@@ -4,9 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "contact/dissipation.hpp"
 #include "contact/impulse.hpp"
 #include "contact/pair_list.hpp"
 #include "effects/collisions.hpp"
+#include "effects/walls.hpp"
 #include "state/domain.hpp"
 
 namespace carom::effects {
@@ -24,6 +26,10 @@ struct Member {
   Vec2 pull{0, 0};         ///< by attraction: half a step of it is in the velocity, half is to come
   bool supported = false;  ///< stands on a wall, a fixed ball or a supported ball
 };
+
+/// Notes what a ball met at a wall across an axis.
+void note_wall(const WallImpact& met, std::size_t axis, const Member& ball, const Rubbed& rubbed,
+               ImpactLog& log);
 
 /// Two members that touch.
 struct Contact {
@@ -67,14 +73,23 @@ class ContactGroup {
   /// Sends a ball that has been driven into the wall it stands at back.
   static void rebound(Member& member, const Domain& domain, const CollisionRule& rule,
                       ImpactCount& count);
+  /// Notes a contact that does not bounce: its impulse along the normal, what friction did, and all
+  /// that was lost.
+  Impact& note(const Contact& contact, double normal, const Rubbed& rubbed, ImpactLog& log) const;
 
  private:
   bool collide_under_pull(Contact& contact, const Domain& domain, const CollisionRule& rule,
                           ImpactCount& count);
-  /// The impact itself: `j` r is the impulse.
-  void exchange(const Contact& contact, double j, bool bounces, const Domain& domain,
-                const CollisionRule& rule, ImpactCount& count);
   void keep_inside(Member& member, const Domain& domain);
+  /// The impact itself: `j` r is the impulse.
+  struct Blow {
+    double j = 0;
+    double arrival = 0;
+    double leaving = 0;
+    bool bounces = false;
+  };
+  void exchange(const Contact& contact, const Blow& blow, const Domain& domain,
+                const CollisionRule& rule, ImpactCount& count);
 };
 
 }  // namespace carom::effects

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/dissipation.hpp"
+
 namespace carom::effects {
 namespace {
 
@@ -17,29 +19,33 @@ double wall_impulse(double along, double surface, double normal, double coeffici
 
 }  // namespace
 
-void rub(Member& a, Member& b, const LineOfCentres& line, double normal, double coefficient) {
+Rubbed rub(Member& a, Member& b, const LineOfCentres& line, double normal, double coefficient) {
   const Vec2 t = Vec2{-line.r.y(), line.r.x()} / line.length;
   const double slip = (b.velocity - a.velocity).dot(t) - (a.radius * a.spin + b.radius * b.spin);
-  const double impulse =
-      cut_off(-slip / (3 * (a.inverse_mass + b.inverse_mass)), coefficient * normal);
+  const double inverse_masses = a.inverse_mass + b.inverse_mass;
+  const double impulse = cut_off(-slip / (3 * inverse_masses), coefficient * normal);
   a.velocity -= impulse * a.inverse_mass * t;
   b.velocity += impulse * b.inverse_mass * t;
   a.spin -= 2 * impulse * a.inverse_mass / a.radius;
   b.spin -= 2 * impulse * b.inverse_mass / b.radius;
+  return {impulse, lost_to_friction(slip, impulse, inverse_masses)};
 }
 
-void rub_wall(Member& member, std::size_t axis, double normal, double coefficient) {
+Rubbed rub_wall(Member& member, std::size_t axis, double normal, double coefficient) {
   const double outwards = normal < 0 ? -1 : 1;
   // n = (outwards, 0) gives t = (0, outwards), n = (0, outwards) gives t = (-outwards, 0).
   const double t = axis == 0 ? outwards : -outwards;
   double& along = member.velocity[Balls::index(1 - axis)];
-  const double impulse = wall_impulse(along * t, member.radius * member.spin, normal, coefficient);
+  const double surface = member.radius * member.spin;
+  const double slip = -(along * t + surface);
+  const double impulse = wall_impulse(along * t, surface, normal, coefficient);
   along -= impulse * t;
   member.spin -= 2 * impulse / member.radius;
+  return {impulse, lost_to_friction(slip, impulse, 1)};
 }
 
 void rub_walls(Balls& balls, std::size_t begin, std::size_t count, const Struck& struck,
-               double coefficient) {
+               double coefficient, RubbedBlock* rubbed) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (std::size_t k = 0; k < count; ++k) {
       const double normal = struck.normal[axis][k];
@@ -49,7 +55,8 @@ void rub_walls(Balls& balls, std::size_t begin, std::size_t count, const Struck&
       member.velocity = {balls.velocity[0][i], balls.velocity[1][i]};
       member.radius = balls.radius[i];
       member.spin = balls.spin[i];
-      rub_wall(member, axis, normal, coefficient);
+      const Rubbed here = rub_wall(member, axis, normal, coefficient);
+      if (rubbed != nullptr) (*rubbed)[axis][k] = here;
       balls.velocity[1 - axis][i] = member.velocity[Balls::index(1 - axis)];
       balls.spin[i] = member.spin;
     }

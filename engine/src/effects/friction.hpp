@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "contact/dissipation.hpp"
 #include "effects/contact_group.hpp"
 #include "effects/flight.hpp"
 
@@ -13,10 +14,11 @@ namespace carom::effects {
 /// and like a fixed ball 1/m = 0.
 
 /// Rubs two members of a group that have just met: `normal` is the size of their normal impulse.
-void rub(Member& a, Member& b, const LineOfCentres& line, double normal, double coefficient);
+Rubbed rub(Member& a, Member& b, const LineOfCentres& line, double normal, double coefficient);
 
-/// Rubs a member at the wall across an axis: `normal` is the impulse by mass towards the outside.
-void rub_wall(Member& member, std::size_t axis, double normal, double coefficient);
+/// Rubs a member at the wall across an axis: `normal` is the impulse by mass towards the outside,
+/// and so is what it gives, by mass.
+Rubbed rub_wall(Member& member, std::size_t axis, double normal, double coefficient);
 
 /// What a block of balls took from the walls across each axis in a step: impulse by mass, towards
 /// the outside; 0 where a ball met none.
@@ -24,8 +26,12 @@ struct Struck {
   std::array<Flight::Lanes, 2> normal{};
 };
 
-/// Rubs the balls of a block at the walls they struck.
+/// What friction did to them there.
+using RubbedBlock = std::array<std::array<Rubbed, Flight::kBlock>, 2>;
+
+/// Rubs the balls of a block at the walls they struck; `rubbed`, if there is one, is told of each
+/// across each axis.
 void rub_walls(Balls& balls, std::size_t begin, std::size_t count, const Struck& struck,
-               double coefficient);
+               double coefficient, RubbedBlock* rubbed = nullptr);
 
 }  // namespace carom::effects

@@ -75,14 +75,21 @@ void stop_on_ground(ContactGroup& group, const Domain& domain, const CollisionRu
       any = true;
       const bool sinking = (upper.velocity + lower.velocity).dot(standing.up) <= 0;
       if (lower.supported && upper.inverse_mass > 0 && sinking) {
+        const double had = upper.velocity.squaredNorm();
         upper.velocity -= closing / square * standing.up;
+        Rubbed rubbed;
+        rubbed.lost = upper.mass * (had - upper.velocity.squaredNorm()) / 2;
+        const double normal = -closing / standing.contact->line.length * upper.mass;
         if (rule.friction > 0) {
           // Between the two as they are: what the ground carries is the normal impulse alone.
           const LineOfCentres& line = standing.contact->line;
-          const double normal = -closing / line.length * upper.mass;
-          rub(lower, upper, {standing.up, square, line.length, line.distance}, normal,
-              rule.friction);
+          const Rubbed friction =
+              rub(lower, upper, {standing.up, square, line.length, line.distance}, normal,
+                  rule.friction);
+          rubbed.impulse = friction.impulse;
+          rubbed.lost += friction.lost;
         }
+        if (count.log.wanted) group.note(*standing.contact, normal, rubbed, count.log);
         ContactGroup::rebound(upper, domain, soft, count);
       } else {
         group.collide(*standing.contact, domain, soft, count);

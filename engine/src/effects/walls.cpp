@@ -20,7 +20,8 @@ double arrival_speed(const WallRule& rule, double velocity, double pull, double 
 
 }  // namespace
 
-std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule, double* struck) {
+std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule, double* struck,
+                    std::vector<WallImpact>* met) {
   std::uint64_t impacts = 0;
   const auto reflect = [&](std::size_t k, double wall, double outwards) {
     // Of a pull, half a step's worth is in the velocity already and half is still to come.
@@ -32,9 +33,13 @@ std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule, 
     const bool bounces =
         arrival > rule.rest_speed + rest_speed(pull, flight.step, rule.restitution);
     const double leaving = bounces ? rule.restitution * arrival : 0;
-    if (struck != nullptr) {
+    if (struck != nullptr || met != nullptr) {
       const double stopped = std::max(0.0, outwards * flight.after[k] + half);
-      struck[k] = outwards * (bounces ? arrival + leaving : stopped);
+      const double normal = bounces ? arrival + leaving : stopped;
+      if (struck != nullptr) struck[k] = outwards * normal;
+      if (met != nullptr) {
+        met->push_back({k, outwards > 0, bounces, bounces ? arrival : stopped, leaving, normal});
+      }
     }
     flight.moved[k] = wall;
     flight.after[k] = -outwards * (leaving + half);

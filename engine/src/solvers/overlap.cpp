@@ -76,8 +76,10 @@ void OverlapSolver::set_workers(std::size_t workers) {
     heir.deepest = std::max(heir.deepest, desk.deepest);
     heir.impacts.friction_seconds += desk.impacts.friction_seconds;
     heir.seconds += desk.seconds;
+    desks_[k].impacts.log.move_to(heir.impacts.log.impacts);
   }
   desks_.resize(workers);
+  record_impacts(recording_);
   forget_pairs();
 }
 
@@ -97,6 +99,7 @@ void OverlapSolver::fly(Share share) {
   Desk& desk = desks_[share.index];
   desk.moved_square = 0;
   desk.impacts.timed = timed();
+  desk.impacts.log.time = step_origin_ + static_cast<double>(steps_ + 1) * step_;
   const std::size_t begin = share.begin(balls_.size());
   const std::size_t end = share.end(balls_.size());
   if (attract_) {
@@ -111,9 +114,13 @@ void OverlapSolver::fly(Share share) {
       effects::Struck struck;
       fly(i, block_end, desk, &struck);
       const Stopwatch stopwatch(timed(), desk.seconds.of<Friction>());
-      effects::rub_walls(balls_, i, block_end - i, struck, rule_.wall_friction);
+      effects::RubbedBlock rubbed;
+      effects::rub_walls(balls_, i, block_end - i, struck, rule_.wall_friction,
+                         recording_ ? &rubbed : nullptr);
+      if (recording_) note_walls(i, &rubbed, desk);
     } else {
       fly(i, block_end, desk, nullptr);
+      if (recording_) note_walls(i, nullptr, desk);
     }
     if (listed_) note_moves(i, block_end, desk);
   }
@@ -139,11 +146,29 @@ void OverlapSolver::fly(std::size_t begin, std::size_t end, Desk& desk, effects:
       const Stopwatch stopwatch(timed(), desk.seconds.of<Walls>());
       desk.impacts.ball_wall +=
           effects::walls(flight, domain_, wall_rule_[axis],
-                         struck == nullptr ? nullptr : struck->normal[axis].data());
+                         struck == nullptr ? nullptr : struck->normal[axis].data(),
+                         recording_ ? &desk.met[axis] : nullptr);
     } else if (domain_.period[axis] > 0) {
       effects::wrap(flight, domain_, turns_[axis].empty() ? nullptr : turns_[axis].data());
     }
     store(flight, balls_);
+  }
+}
+
+void OverlapSolver::note_walls(std::size_t begin, const effects::RubbedBlock* rubbed,
+                               Desk& desk) const {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (const effects::WallImpact& met : desk.met[axis]) {
+      const std::size_t i = begin + met.k;
+      effects::Member ball;
+      ball.ball = static_cast<std::uint32_t>(i);
+      ball.position = balls_.at(i);
+      ball.radius = balls_.radius[Balls::index(i)];
+      ball.mass = balls_.mass[Balls::index(i)];
+      effects::note_wall(met, axis, ball, rubbed == nullptr ? Rubbed{} : (*rubbed)[axis][met.k],
+                         desk.impacts.log);
+    }
+    desk.met[axis].clear();
   }
 }
 
@@ -398,6 +423,15 @@ void OverlapSolver::count(Measurements& measurements) const {
   }
   seconds *= scale_of_samples(taken_);
   add_seconds(effects_, seconds, measurements);
+}
+
+void OverlapSolver::record_impacts(bool wanted) {
+  recording_ = wanted;
+  for (Desk& desk : desks_) desk.impacts.log.wanted = wanted;
+}
+
+void OverlapSolver::take_impacts(std::vector<Impact>& impacts, bool /*of_all*/) {
+  for (Desk& desk : desks_) desk.impacts.log.move_to(impacts);
 }
 
 void OverlapSolver::save(Scene& scene) const {

@@ -64,6 +64,8 @@ class OverlapSolver final : public Solver {
   [[nodiscard]] Vec2 momentum() const override { return carom::momentum(balls_); }
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;
+  void record_impacts(bool wanted) override;
+  void take_impacts(std::vector<Impact>& impacts, bool of_all) override;
 
  private:
   // What one worker writes, apart from what others write.
@@ -75,10 +77,12 @@ class OverlapSolver final : public Solver {
     double deepest = 0;
     double moved_square = 0;  // of the ball that has moved farthest since the list was built
     EffectSeconds seconds;
+    std::array<std::vector<effects::WallImpact>, 2> met;  // across each axis, by a block
   };
 
   void fly(Share share);
   void fly(std::size_t begin, std::size_t end, Desk& desk, effects::Struck* struck);
+  void note_walls(std::size_t begin, const effects::RubbedBlock* rubbed, Desk& desk) const;
   void count_missed_hits();
   void note_moves(std::size_t begin, std::size_t end, Desk& desk) const;
   void search(Share share);
@@ -120,6 +124,7 @@ class OverlapSolver final : public Solver {
   double smallest_radius_ = 0;
   bool pull_known_ = false;  // the pull is that of the present places
   bool in_step_ = false;
+  bool recording_ = false;
   Turns turns_;
 
   // What a step takes of the effects, worked out anew where one of them or the step changes.

@@ -55,8 +55,9 @@ class Solver {
   virtual void record_impacts(bool /*wanted*/) {}
   /// Adds the impacts noted since the last call, in any order; balls by their present numbers.  Of
   /// `event` it is only said which belong together: 0 for an impact by itself, else any number that
-  /// the contacts of one joint impact share within a call.
-  virtual void take_impacts(std::vector<Impact>& /*impacts*/) {}
+  /// the contacts of one joint impact share within a call.  `of_all`: those too that happened in a
+  /// part of a step that is only shown, and that a later call would tell again.
+  virtual void take_impacts(std::vector<Impact>& /*impacts*/, bool /*of_all*/) {}
 };
 
 }  // namespace carom

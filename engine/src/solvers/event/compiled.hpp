@@ -13,6 +13,7 @@
 #include "solvers/event/tile_impact_body.hpp"
 #include "solvers/event/tile_instant_body.hpp"
 #include "solvers/event/tile_lanes_body.hpp"
+#include "solvers/event/tile_log_body.hpp"
 #include "solvers/event/tile_part_body.hpp"
 #include "solvers/event/tile_rest_body.hpp"
 #include "solvers/event/tile_search_body.hpp"

@@ -37,7 +37,9 @@ class EventSolver final : public Solver {
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;
   void record_impacts(bool wanted) override { core_->record_impacts(wanted); }
-  void take_impacts(std::vector<Impact>& impacts) override { core_->take_impacts(impacts); }
+  void take_impacts(std::vector<Impact>& impacts, bool /*of_all*/) override {
+    core_->take_impacts(impacts);
+  }
 
  private:
   void refuse_other_places(const Scene& scene) const;

@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "contact/dissipation.hpp"
 #include "contact/event_crowd.hpp"
 #include "contact/event_joint_impact.hpp"
+#include "contact/impact_log.hpp"
 #include "solvers/event/agenda.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/huge_pages.hpp"
@@ -117,6 +119,9 @@ class Tile {
 
   /// From now on every change of a flight is noted; null: no longer.  The journal must outlive it.
   void keep(Journal<P>* journal) { journal_ = journal; }
+  /// From now on every impact is noted, with its time since the present era began and the places of
+  /// its balls in this tile; null: no longer.  The log must outlive it.
+  void note_in(ImpactLog* log) { log_ = log; }
   /// Takes a ball out; its number may be given to another.
   void take_out(Index i);
   /// Makes a ball forget what it meets, for it gets another flight.
@@ -141,6 +146,9 @@ class Tile {
   [[nodiscard]] S* spin(Index i) { return spins_.empty() ? nullptr : &spins_[i]; }
   using Entry = typename Agenda<typename P::Clock>::Entry;
 
+  struct Instant;
+  struct Gathering;
+
   // The order of time: tile_body.hpp.
   void next_event(Index i, At now);
   void announce(Index i) { agenda_.add(disks_[i].due(), i); }
@@ -159,6 +167,29 @@ class Tile {
   void look_again(Index i, At now);
   void count_turns(Index i, At now);
   void watch(At now);
+
+  // What --events tells: tile_log_body.hpp.
+  struct Before {
+    Disk disk;
+    S spin = 0;
+  };
+  [[nodiscard]] Before before(Index i) const {
+    return {disks_[i], spins_.empty() ? S(0) : spins_[i]};
+  }
+  void log_alone(Index i, Index partner, const Before& was, const Before& partner_was, At now);
+  /// What is known of a joint impact beside its outcome.
+  struct JointLog {
+    std::vector<Stroke<S>> strokes;
+    std::vector<carom::Rubbed> rubbed;  ///< by contact; empty: nothing rubs
+  };
+  void log_joint(const Instant& instant, const JointLog& joint, At now);
+  struct CrowdLog {
+    std::vector<double> impulses;  ///< by contact
+    std::vector<char> counted;     ///< by contact: it is one of the impacts that are counted
+    double lost = 0;
+  };
+  void log_crowd(const Gathering& crowd, const CrowdLog& log, At now) requires kCanRest;
+  Impact& log_contact(At now, Index i, Index j, const Vec<S>& r);
 
   void note_alone(Index i, const Disk& before, Index partner, const Disk& partner_before,
                   At now) const;
@@ -182,12 +213,12 @@ class Tile {
   void unlink(Index i);
 
   // Impacts of one instant that share a ball: tile_instant_body.hpp.
-  struct Instant;
   void note_tie(At at) const { ties_.insert(at); }
   [[nodiscard]] bool tied(At now);
   void meet_jointly(Index i, Index partner, At now);
-  [[nodiscard]] JointReport resolve(Instant& instant) const;  // tile_friction_body.hpp
-  void rub_jointly(Instant& instant) const;
+  [[nodiscard]] JointReport resolve(Instant& instant,
+                                    JointLog* log) const;  // tile_friction_body.hpp
+  void rub_jointly(Instant& instant, JointLog* log) const;
   void note_instant(const Instant& instant, At now, Index ball_ball, Index ball_wall) const;
   void add_member(Instant& instant, Index i, At now) const;
   void add_contacts(Instant& instant, std::size_t member, At now);
@@ -200,7 +231,6 @@ class Tile {
   void step_if_it_slips(Index i) requires kCanRest;
   [[nodiscard]] bool is_of_crowd(const Instant& instant, At now) const requires kCanRest;
   // Crowds: tile_crowd_body.hpp.
-  struct Gathering;
   [[nodiscard]] bool hit_crowd(Index i, Index partner, At now) requires kCanRest;
   void hit_crowd(Gathering& crowd, At now) requires kCanRest;
   void step_crowds(At now) requires kCanRest;
@@ -233,9 +263,10 @@ class Tile {
   Time next_step_ = P::Clock::never();  ///< of crowds
   std::vector<int> number_;             ///< in the crowd that is looked at; -1
   Journal<P>* journal_ = nullptr;
-  double overlap_ = 0;       ///< at the last impact of two
-  Time reached_ = 0;         ///< everything up to here has happened
-  std::vector<Index> left_;  ///< the fixed ball a flight began at; only where balls fall on pegs
+  ImpactLog* log_ = nullptr;  ///< null: impacts are not noted
+  double overlap_ = 0;        ///< at the last impact of two
+  Time reached_ = 0;          ///< everything up to here has happened
+  std::vector<Index> left_;   ///< the fixed ball a flight began at; only where balls fall on pegs
   mutable std::set<Time> ties_;  ///< when two impacts may share a ball
   Time instant_ = 0;             ///< of the last impact
   std::size_t at_once_ = 0;      ///< impacts at that instant

@@ -37,6 +37,8 @@ class TileCore final : public Core {
   [[nodiscard]] double energy_ahead() const override;
   [[nodiscard]] Tally tally() const override;
   void save(Continuation& continuation) const override;
+  void record_impacts(bool wanted) override;
+  void take_impacts(std::vector<Impact>& impacts) override;
 
  private:
   using S = typename P::Scalar;
@@ -69,6 +71,7 @@ class TileCore final : public Core {
   [[nodiscard]] Turns turns(bool of_present_flights) const;
   void start();
   void take_flights(const Continuation& from, const std::string& source);
+  void collect_log();
 
   Domain domain_;
   Effects effects_;
@@ -91,6 +94,8 @@ class TileCore final : public Core {
   Turns turns_before_;  // in the order of the balls
   Moment now_;
   Moment target_;
+  ImpactLog log_;              // of the tile, in the present era
+  std::vector<Impact> noted_;  // by the numbers of the balls
 };
 
 /// From the fastest ball, what falling across the box adds, and the speed that the lightest ball

@@ -130,6 +130,7 @@ template <class P>
 void TileCore<P>::advance() {
   while (now_.era < target_.era) {
     tile_->advance_to(P::Clock::era());
+    collect_log();
     tile_->rebase(P::Clock::era());
     now_ = {now_.era + 1, 0};
   }
@@ -151,7 +152,8 @@ void TileCore<P>::sort_again() {
 /// Whether the balls are many enough, and nothing comes to rest or is left at a fixed ball.
 template <class P>
 bool TileCore<P>::shares(const BasicRules<S>& rules) const {
-  if (sharing_.parts < 2 || one_tile_ || !kShares || rules.rests || rules.spins) return false;
+  if (sharing_.parts < 2 || one_tile_ || !kShares || log_.wanted || rules.rests || rules.spins)
+    return false;
   if (balls_.size() < sharing_.least_balls || !effects_.collisions) return false;
   // Parts do not count turns.
   if (can_rest(rules) || rules.falls_round(0) || rules.falls_round(1)) return false;
@@ -247,6 +249,7 @@ Turns TileCore<P>::turns(bool of_present_flights) const {
 // Takes the flights out of the tile, into the order of the balls.
 template <class P>
 void TileCore<P>::land() {
+  collect_log();
   // What a flight has gone round stays with it until it ends.
   if (tile_) turns_before_ = turns(false);
   look(balls_);
@@ -325,7 +328,52 @@ void TileCore<P>::start() {
     for (std::size_t i = 0; i < balls_.size(); ++i) spins[slot_[i]] = spins_[i];
   }
   tile_->reset(disks, now_.ticks, left, spins);
+  if (log_.wanted) tile_->note_in(&log_);
   flights_.clear();
+}
+
+// Impacts are noted by one tile alone: parts of the plane take some of theirs back.
+template <class P>
+void TileCore<P>::record_impacts(bool wanted) {
+  if (wanted == log_.wanted) return;
+  land();
+  log_.wanted = wanted;
+  noted_.clear();
+  start();
+}
+
+template <class P>
+void TileCore<P>::take_impacts(std::vector<Impact>& impacts) {
+  collect_log();
+  impacts.insert(impacts.end(), noted_.begin(), noted_.end());
+  noted_.clear();
+}
+
+// From the numbers and times of the tile to those of the run.
+template <class P>
+void TileCore<P>::collect_log() {
+  if (log_.impacts.empty()) return;
+  std::vector<std::size_t> number(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = i;
+  const double era = static_cast<double>(scale_.seconds(P::Clock::era())) * now_.era;
+  const std::uint64_t joint = noted_.size();
+  for (Impact& impact : log_.impacts) {
+    impact.time += era;
+    if (impact.event != 0) impact.event += joint;
+    impact.a = number[impact.a];
+    if (impact.b != Impact::kNoBall) impact.b = number[impact.b];
+    if (impact.b < impact.a) {
+      std::swap(impact.a, impact.b);
+      impact.position += impact.distance * impact.normal;
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        double& x = impact.position[static_cast<Eigen::Index>(axis)];
+        if (domain_.period[axis] > 0) x = domain_.wrapped(axis, x);
+      }
+      impact.normal = -impact.normal;
+    }
+    noted_.push_back(impact);
+  }
+  log_.impacts.clear();
 }
 
 template <class P>

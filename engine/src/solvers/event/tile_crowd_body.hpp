@@ -165,6 +165,8 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) requires kCanRest {
   std::vector<char> stays(crowd.members.size(), 0);
   std::uint64_t walls = 0;
   std::uint64_t balls = 0;
+  CrowdLog log;
+  if (log_ != nullptr) log.counted.resize(crowd.contacts.size(), 0);
   for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
     const CrowdContact& c = crowd.contacts[k];
     const typename Gathering::Near& near = crowd.near[k];
@@ -186,6 +188,7 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) requires kCanRest {
       clings = motion_.clings(disk_of(c.a), partner, near.r, now);
     }
     if (speed > 0) ++(wall ? walls : balls);
+    if (log_ != nullptr && speed > 0) log.counted[k] = 1;
     if (clings) {
       stays[a] = 1;
       if (c.b != kWall) stays[static_cast<std::size_t>(c.b)] = 1;
@@ -204,7 +207,7 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) requires kCanRest {
   const S goal = kSolved * fastest;
   if (bounces && restitution > 0) {
     const std::vector<CrowdBody> before = crowd.bodies;
-    (void)whole.resolve(crowd.bodies, rate, goal);
+    log.impulses = whole.resolve(crowd.bodies, rate, goal);
     const auto beyond = [&](const S& was, const S& is) { return S(is + restitution * (is - was)); };
     for (std::size_t m = 0; m < crowd.bodies.size(); ++m) {
       CrowdBody& body = crowd.bodies[m];
@@ -226,8 +229,16 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) requires kCanRest {
     carried = of_it ? kStepped : 0;
   }
   if (rested) ++counts_.wakes;
-  (void)whole.resolve(crowd.bodies, rate, goal);
+  const std::vector<double> loads = whole.resolve(crowd.bodies, rate, goal);
   slow_down(crowd, had, span);
+  if (log_ != nullptr) {
+    log.impulses.resize(loads.size(), 0);
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+      log.impulses[k] = (1 + static_cast<double>(restitution)) * log.impulses[k] + loads[k];
+    }
+    log.lost = static_cast<double>(S(had - energy_of(crowd, span).all())) / 2;
+    log_crowd(crowd, log, now);
+  }
 
   for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
     const auto a = static_cast<std::size_t>(crowd.contacts[k].a);
@@ -331,6 +342,13 @@ void Tile<P>::step_crowd(Gathering& crowd, At now) requires kCanRest {
   for (CrowdBody& body : crowd.bodies) body.velocity = body.velocity + span * g;
   Crowd whole(crowd.bodies, crowd.contacts);
   const std::vector<S> loads = whole.resolve(crowd.bodies, S(1 / span), S(kSolved * speed), true);
+
+  if (log_ != nullptr) {
+    CrowdLog log;
+    log.counted.resize(loads.size(), 0);
+    for (const S& load : loads) log.impulses.push_back(static_cast<double>(load));
+    log_crowd(crowd, log, now);
+  }
 
   std::vector<std::size_t> set(n);
   std::iota(set.begin(), set.end(), 0U);

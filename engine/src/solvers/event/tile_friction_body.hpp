@@ -19,13 +19,14 @@ namespace carom::event {
 /// adds no energy: a ball's energy is convex in its impulses, and their parts add up to 1 at most.
 /// Sums are rounded once, so that no order is seen.
 template <class P>
-JointReport Tile<P>::resolve(Instant& instant) const {
-  if (!spins_.empty()) rub_jointly(instant);
-  return joint_impact<S>(instant.bodies, instant.contacts);
+JointReport Tile<P>::resolve(Instant& instant, JointLog* log) const {
+  if (!spins_.empty()) rub_jointly(instant, log);
+  JointImpact<S> impact(instant.bodies, instant.contacts, log == nullptr ? nullptr : &log->strokes);
+  return impact.resolve();
 }
 
 template <class P>
-void Tile<P>::rub_jointly(Instant& instant) const {
+void Tile<P>::rub_jointly(Instant& instant, JointLog* log) const {
   const auto& rules = motion_.rules();
   std::vector<Body<S>> bodies = instant.bodies;
   JointImpact<S> normal(bodies, instant.contacts);
@@ -55,6 +56,15 @@ void Tile<P>::rub_jointly(Instant& instant) const {
     ExactSum<S> spin;
   };
   std::vector<Sums> sums(bodies.size());
+  const auto slip = [&](const Contact<S>& c) {
+    const Rubbing<S> a = rubbing(c.a);
+    const Rubbing<S> b = rubbing(c.b);
+    const S length = root(S(c.r.x * c.r.x + c.r.y * c.r.y));
+    return S(cross(c.r, b.velocity - a.velocity) / length -
+             sum_of_products(a.radius, a.spin, b.radius, b.spin));
+  };
+  std::vector<S> slips(gains.size(), S(0));
+  if (log != nullptr) log->rubbed.resize(gains.size());
   for (std::size_t k = 0; k < gains.size(); ++k) {
     const Contact<S>& c = instant.contacts[k];
     if (!(gains[k] > 0) || !(moves(c.a) || moves(c.b))) continue;
@@ -63,6 +73,10 @@ void Tile<P>::rub_jointly(Instant& instant) const {
     const S coefficient = c.b == kWall ? rules.wall_friction : rules.friction;
     const Rub<S> rub(a, b, c.r, gains[k], coefficient);
     const int most = std::max(moves(c.a) ? rubs[index(c.a)] : 1, moves(c.b) ? rubs[index(c.b)] : 1);
+    if (log != nullptr) {
+      slips[k] = slip(c);
+      log->rubbed[k].impulse = static_cast<double>(S(rub.impulse() / most));
+    }
     const auto take = [&](int body, const Rubbing<S>& disk, int side) {
       if (!moves(body)) return;
       const Rubbed<S> got = rub.on(disk, side, S(S(1) / most));
@@ -77,6 +91,13 @@ void Tile<P>::rub_jointly(Instant& instant) const {
     Vec<S>& v = instant.bodies[k].velocity;
     v = v + Vec<S>{sums[k].x.rounded(), sums[k].y.rounded()};
     instant.spins[k] += sums[k].spin.rounded();
+  }
+  if (log == nullptr) return;
+  for (std::size_t k = 0; k < slips.size(); ++k) {
+    carom::Rubbed& rubbed = log->rubbed[k];
+    if (rubbed.impulse == 0) continue;
+    const auto mean = static_cast<double>(S((slips[k] + slip(instant.contacts[k])) / 2));
+    rubbed.lost = -rubbed.impulse * mean;
   }
 }
 

@@ -117,6 +117,9 @@ void Tile<P>::meet(Index i, At now) {
   if (ball) look_again(partner, now);
   look_again(i, now);
   if (disks_[i].meets != now && !(ball && disks_[partner].meets == now)) {
+    if (log_ != nullptr) {
+      log_alone(i, partner, {before, spin_before}, {partner_before, partner_spin_before}, now);
+    }
     if (journal_ != nullptr) note_alone(i, before, partner, partner_before, now);
     return;
   }

@@ -178,10 +178,11 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
       (partner < kFirstMark ? instant.members.size() == 2 && instant.stops.empty()
                             : !instant.stops.empty() && instant.stops.front().wall == partner)) {
     const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
-    const Disk flight = disks_[i];
-    const Disk partners = ball ? disks_[partner] : Disk{};
+    const Before was = before(i);
+    const Before partner_was = ball ? before(partner) : Before{};
     meet_alone(i, partner, now);
-    if (journal_ != nullptr) note_alone(i, flight, partner, partners, now);
+    if (log_ != nullptr) log_alone(i, partner, was, partner_was, now);
+    if (journal_ != nullptr) note_alone(i, was.disk, partner, partner_was.disk, now);
     if (ball) look_again(partner, now);
     look_again(i, now);
     return;
@@ -189,7 +190,9 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
 
   const std::vector<Body<S>> before = instant.bodies;
   ++counts_.joint_impacts;
-  const JointReport report = resolve(instant);
+  JointLog joint;
+  const JointReport report = resolve(instant, log_ != nullptr ? &joint : nullptr);
+  if (log_ != nullptr) log_joint(instant, joint, now);
   const auto walls = static_cast<std::uint64_t>(report.walls);
   const auto balls = static_cast<std::uint64_t>(report.impacts);
   counts_.ball_wall += walls;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/dissipation.hpp"
 #include "contact/impulse.hpp"
 #include "state/stopwatch.hpp"
 
@@ -34,6 +35,29 @@ void IntegratedSolver::put_back(const effects::Member& member) {
     state_.pull_known = false;
   }
   if (effects_.friction) balls.spin[k] = member.spin;
+}
+
+/// `after`: the time since the step began.
+void IntegratedSolver::note(const Meeting& meeting, double after, bool bounces, const Vec2& normal,
+                            double distance, double impulse, const Rubbed& rubbed) {
+  if (!log_.wanted) return;
+  Impact& impact = (whole_ ? shown_ : log_.impacts).emplace_back();
+  impact.time = step_origin_ + static_cast<double>(steps_) * step_ + after;
+  impact.kind = ImpactKind::rest;
+  if (bounces) impact.kind = meeting.with_wall() ? ImpactKind::wall : ImpactKind::ball;
+  impact.a = meeting.i;
+  if (meeting.with_wall()) {
+    const std::uint32_t side = meeting.j - Meeting::kWall;
+    impact.wall = side_of(side / 2, side % 2 == 1);
+  } else {
+    impact.b = meeting.j;
+  }
+  impact.position = state_.balls.at(meeting.i);
+  impact.normal = normal;
+  impact.distance = distance;
+  impact.impulse = impulse;
+  impact.tangential = rubbed.impulse;
+  impact.energy_lost = rubbed.lost;
 }
 
 LineOfCentres IntegratedSolver::line_between(const effects::Member& a,
@@ -81,10 +105,16 @@ void IntegratedSolver::strike_balls(const Meeting& meeting) {
   const double j = impulse(closing, line.square, inverse_masses, bounces ? restitution : 0);
   a.velocity -= j * a.inverse_mass * line.r;
   b.velocity += j * b.inverse_mass * line.r;
+  Rubbed rubbed;
   if (effects_.friction && effects_.friction->balls > 0) {
     const Stopwatch stopwatch(true, impacts_.of<Friction>());
-    effects::rub(a, b, line, j * line.length, effects_.friction->balls);
+    rubbed = effects::rub(a, b, line, j * line.length, effects_.friction->balls);
   }
+  const double approach = -closing / line.length;
+  rubbed.lost +=
+      lost_to_restitution(approach, bounces ? restitution * approach : 0, inverse_masses);
+  note(meeting, part_end_ - remaining_, bounces, line.r / line.length, line.distance,
+       j * line.length, rubbed);
   if (bounces) {
     ++state_.ball_ball;
     // What rested against one of the two may be hit now.
@@ -116,10 +146,17 @@ void IntegratedSolver::strike_wall(const Meeting& meeting) {
     if (!bounces) resting_.push_back(meeting);
     const double leaving = bounces ? restitution * arrival : 0;
     ball.velocity[k] = -outwards * leaving;
+    Rubbed rubbed;
     if (effects_.friction && effects_.friction->walls > 0) {
       const Stopwatch stopwatch(true, impacts_.of<Friction>());
-      effects::rub_wall(ball, axis, outwards * (arrival + leaving), effects_.friction->walls);
+      rubbed =
+          effects::rub_wall(ball, axis, outwards * (arrival + leaving), effects_.friction->walls);
     }
+    rubbed.lost += lost_to_restitution(arrival, leaving, 1);
+    Vec2 normal{0, 0};
+    normal[k] = outwards;
+    note(meeting, part_end_ - remaining_, bounces, normal, ball.radius,
+         ball.mass * (arrival + leaving), {ball.mass * rubbed.impulse, ball.mass * rubbed.lost});
     if (bounces) ++state_.ball_wall;
   }
   put_back(ball);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/dissipation.hpp"
 #include "contact/impulse.hpp"
 #include "effects/rest.hpp"
 
@@ -131,9 +132,15 @@ bool IntegratedSolver::stop(const Meeting& meeting) {
     const double pressing = outwards * a.velocity[k];
     if (outwards * (a.position[k] - wall) < 0 || !(pressing > 0)) return false;
     a.velocity[k] = 0;
+    Rubbed rubbed;
     if (effects_.friction) {
-      effects::rub_wall(a, axis, outwards * pressing, effects_.friction->walls);
+      rubbed = effects::rub_wall(a, axis, outwards * pressing, effects_.friction->walls);
     }
+    rubbed.lost += lost_to_restitution(pressing, 0, 1);
+    Vec2 normal{0, 0};
+    normal[k] = outwards;
+    note(meeting, part_end_, false, normal, a.radius, a.mass * pressing,
+         {a.mass * rubbed.impulse, a.mass * rubbed.lost});
     put_back(a);
     return true;
   }
@@ -145,7 +152,12 @@ bool IntegratedSolver::stop(const Meeting& meeting) {
   const double j = impulse(closing, line.square, a.inverse_mass + b.inverse_mass, 0);
   a.velocity -= j * a.inverse_mass * line.r;
   b.velocity += j * b.inverse_mass * line.r;
-  if (effects_.friction) effects::rub(a, b, line, j * line.length, effects_.friction->balls);
+  Rubbed rubbed;
+  if (effects_.friction) {
+    rubbed = effects::rub(a, b, line, j * line.length, effects_.friction->balls);
+  }
+  rubbed.lost += lost_to_restitution(-closing / line.length, 0, a.inverse_mass + b.inverse_mass);
+  note(meeting, part_end_, false, line.r / line.length, line.distance, j * line.length, rubbed);
   put_back(a);
   put_back(b);
   return true;

@@ -63,6 +63,7 @@ std::size_t IntegratedSolver::aim(double time) {
   if (whole_) {
     state_ = std::move(*whole_);
     whole_.reset();
+    shown_.clear();
   }
   const double rounding = std::abs(time) * kRounding;
   const double due = (time - step_origin_ + rounding) / step_;
@@ -87,6 +88,7 @@ bool IntegratedSolver::meets_anything() const {
 
 std::size_t IntegratedSolver::begin_step(double length) {
   const double part = step_ / Splitting::kInAStep;
+  part_end_ = 0;
   parts_ = Splitting::kInAStep;
   tail_ = 0;
   if (length < step_) {
@@ -112,6 +114,7 @@ std::size_t IntegratedSolver::next_part() {
   } else {
     return end_step();
   }
+  part_end_ += remaining_;
   return begin_piece(remaining_);
 }
 
@@ -217,6 +220,8 @@ void IntegratedSolver::back_to_start() {
 // What is shown becomes the run, and steps are numbered from here.
 void IntegratedSolver::restart_steps() {
   whole_.reset();
+  log_.impacts.insert(log_.impacts.end(), shown_.begin(), shown_.end());
+  shown_.clear();
   step_origin_ = time_;
   steps_ = 0;
   state_.pull_known = false;
@@ -288,6 +293,13 @@ void IntegratedSolver::count(Measurements& measurements) const {
   seconds *= scale_of_samples(taken_);
   seconds += impacts_;
   add_seconds(effects_, seconds, measurements);
+}
+
+void IntegratedSolver::take_impacts(std::vector<Impact>& impacts, bool of_all) {
+  log_.move_to(impacts);
+  if (!of_all) return;
+  impacts.insert(impacts.end(), shown_.begin(), shown_.end());
+  shown_.clear();
 }
 
 void IntegratedSolver::save(Scene& scene) const {

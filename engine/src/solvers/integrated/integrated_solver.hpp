@@ -55,6 +55,8 @@ class IntegratedSolver final : public Solver {
   [[nodiscard]] Vec2 momentum() const override { return carom::momentum(state_.balls); }
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;
+  void record_impacts(bool wanted) override { log_.wanted = wanted; }
+  void take_impacts(std::vector<Impact>& impacts, bool of_all) override;
 
  private:
   // What meets: balls i < j, or ball i and a wall, j = kWall + 2 axis + (1 at the upper end).
@@ -112,6 +114,8 @@ class IntegratedSolver final : public Solver {
   [[nodiscard]] Vec2 acceleration(std::uint32_t i) const;
   [[nodiscard]] effects::Member member(std::uint32_t i) const;
   void put_back(const effects::Member& member);
+  void note(const Meeting& meeting, double after, bool bounces, const Vec2& normal, double distance,
+            double impulse, const Rubbed& rubbed);
   [[nodiscard]] LineOfCentres line_between(const effects::Member& a,
                                            const effects::Member& b) const;
   void back_to_start();
@@ -161,6 +165,7 @@ class IntegratedSolver final : public Solver {
   double tail_ = 0;
   double remaining_ = 0;  // of the present part, with the piece that is flown
   double piece_ = 0;
+  double part_end_ = 0;  // since the step began
   std::size_t stage_ = 0;
   std::array<Stage, Splitting::kStages + 1> stages_;
   std::optional<Meeting> planned_;  // the piece ends with this impact
@@ -173,6 +178,8 @@ class IntegratedSolver final : public Solver {
   std::vector<Meeting> resting_;                                   // until the end of the step
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> struck_;  // in this step, how often
   std::vector<Find> finds_;
+  ImpactLog log_;
+  std::vector<Impact> shown_;  // of the part of a step that is shown, which will be done again
 };
 
 }  // namespace carom

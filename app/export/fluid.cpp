@@ -1,0 +1,41 @@
+#include "export/fluid.hpp"
+
+namespace carom {
+
+Fluid FluidMeter::measure(const FrameRecord& record) {
+  Fluid fluid;
+  double moving = 0;
+  double mass = 0;
+  Vec2 momentum{0, 0};
+  for (const Ball& ball : record.balls) {
+    if (ball.fixed) continue;
+    ++moving;
+    mass += ball.mass;
+    momentum += ball.mass * ball.velocity;
+  }
+  const Vec2 mean = mass > 0 ? Vec2(momentum / mass) : Vec2{0, 0};
+  double thermal = 0;
+  for (const Ball& ball : record.balls) {
+    if (ball.fixed) continue;
+    const double surface = spins_ ? ball.radius * ball.spin : 0;
+    fluid.kinetic += ball.mass * (ball.velocity.squaredNorm() / 2 + surface * surface / 4);
+    thermal += ball.mass * (ball.velocity - mean).squaredNorm() / 2;
+  }
+  const double free = periodic_ ? moving - 1 : moving;
+  if (free > 0) fluid.temperature = thermal / free;
+
+  double virial = 0;
+  for (const Impact& impact : record.impacts) {
+    if (impact.b != Impact::kNoBall) virial += impact.distance * impact.impulse;
+  }
+  const double span = since_ ? record.time - *since_ : 0;
+  if (span > 0 && fluid.temperature) {
+    const double ideal = moving * *fluid.temperature;
+    fluid.pressure = (ideal + virial / (2 * span)) / area_;
+    if (ideal > 0) fluid.Z = *fluid.pressure * area_ / ideal;
+  }
+  since_ = record.time;
+  return fluid;
+}
+
+}  // namespace carom

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "contact/dissipation.hpp"
+#include "solvers/event/tile.hpp"
+
+namespace carom::event {
+
+/// A contact of ball i with ball j, or with a wall: everything but what it carries.
+template <class P>
+Impact& Tile<P>::log_contact(At now, Index i, Index j, const Vec<S>& r) {
+  const S length = root(S(r.x * r.x + r.y * r.y));
+  const Vec<S> at = motion_.wrapped(motion_.place(disks_[i], now));
+  Impact& impact = log_->impacts.emplace_back();
+  impact.time = static_cast<double>(motion_.rules().scale.seconds(now));
+  impact.a = i;
+  impact.position = {static_cast<double>(at.x), static_cast<double>(at.y)};
+  impact.normal = {static_cast<double>(S(r.x / length)), static_cast<double>(S(r.y / length))};
+  if (j >= kWalls) {
+    impact.kind = ImpactKind::wall;
+    impact.wall = side_of((j - kWalls) / 2, (j - kWalls) % 2 == 1);
+    impact.distance = static_cast<double>(motion_.kind(disks_[i]).radius);
+  } else {
+    impact.b = j;
+    impact.distance = static_cast<double>(length);
+  }
+  return impact;
+}
+
+// From the velocities before and after, as the impact has left them.
+template <class P>
+void Tile<P>::log_alone(Index i, Index partner, const Before& was_a, const Before& was_b, At now) {
+  const bool wall = partner >= kWalls;
+  const bool moves = !wall && !motion_.fixed(disks_[partner]);
+  const Disk& a = disks_[i];
+  const Vec<S> a_before = motion_.velocity(was_a.disk, now);
+  Vec<S> r{S(0), S(0)};
+  Vec<S> b_before{S(0), S(0)};
+  Vec<S> b_after{S(0), S(0)};
+  if (wall) {
+    const S side = partner % 2 == kWalls % 2 ? -1 : 1;
+    (partner - kWalls < 2 ? r.x : r.y) = side;
+  } else {
+    r = motion_.way(motion_.place(a, now), motion_.place(disks_[partner], now));
+    if (moves) {
+      b_before = motion_.velocity(was_b.disk, now);
+      b_after = {disks_[partner].vx, disks_[partner].vy};
+    }
+  }
+  const auto in_double = [](const Vec<S>& v) {
+    return Vec2{static_cast<double>(v.x), static_cast<double>(v.y)};
+  };
+  Impact& impact = log_contact(now, i, partner, r);
+  const Vec2 n = impact.normal;
+  const Vec2 t{-n.y(), n.x()};
+  const Vec2 was = in_double(b_before - a_before);
+  const Vec2 is = in_double(b_after - Vec<S>{a.vx, a.vy});
+  const Vec2 change = in_double(a_before - Vec<S>{a.vx, a.vy});
+  const auto inverse_a = static_cast<double>(motion_.kind(a).inverse_mass);
+  const double inverse_b =
+      moves ? static_cast<double>(motion_.kind(disks_[partner]).inverse_mass) : 0;
+  impact.impulse = change.dot(n) / inverse_a;
+  const double approach = -was.dot(n);
+  const double named = wall ? motion_.rules().wall_restitution : motion_.rules().restitution;
+  const double kept = is.dot(n) > named * approach / 2 ? named : 0;
+  impact.energy_lost = lost_to_restitution(approach, kept * approach, inverse_a + inverse_b);
+  if (spins_.empty()) return;
+  impact.tangential = change.dot(t) / inverse_a;
+  double surface = static_cast<double>(S(motion_.kind(was_a.disk).radius * was_a.spin));
+  if (moves) surface += static_cast<double>(S(motion_.kind(was_b.disk).radius * was_b.spin));
+  impact.energy_lost +=
+      lost_to_friction(was.dot(t) - surface, impact.tangential, inverse_a + inverse_b);
+}
+
+// One line for each time that a contact is hit; friction, which comes first, with its first.
+template <class P>
+void Tile<P>::log_joint(const Instant& instant, const JointLog& joint, At now) {
+  const std::uint64_t event = log_->impacts.size() + 1;
+  std::size_t stops = 0;
+  for (std::size_t k = 0; k < instant.contacts.size(); ++k) {
+    const Contact<S>& contact = instant.contacts[k];
+    const Index i = instant.members[static_cast<std::size_t>(contact.a)];
+    const Index j = contact.b == kWall ? instant.stops[stops++].wall
+                                       : instant.members[static_cast<std::size_t>(contact.b)];
+    const auto note = [&]() -> Impact& {
+      Impact& impact = log_contact(now, i, j, contact.r);
+      impact.kind = ImpactKind::joint;
+      impact.event = event;
+      return impact;
+    };
+    carom::Rubbed rubbed = joint.rubbed.empty() ? carom::Rubbed{} : joint.rubbed[k];
+    for (const Stroke<S>& stroke : joint.strokes) {
+      if (stroke.contact != k) continue;
+      Impact& impact = note();
+      impact.impulse = static_cast<double>(stroke.impulse);
+      impact.tangential = rubbed.impulse;
+      const S lost = stroke.impulse * stroke.approach * (1 - stroke.restitution) / 2;
+      impact.energy_lost = static_cast<double>(lost) + rubbed.lost;
+      rubbed = {};
+    }
+    if (rubbed.impulse == 0) continue;
+    Impact& impact = note();
+    impact.kind = ImpactKind::rest;
+    impact.tangential = rubbed.impulse;
+    impact.energy_lost = rubbed.lost;
+  }
+}
+
+// What presses without being counted is a contact at rest; the first line has what all lost.
+template <class P>
+void Tile<P>::log_crowd(const Gathering& crowd, const CrowdLog& log, At now) requires kCanRest {
+  const std::uint64_t event = log_->impacts.size() + 1;
+  const auto counted = std::count(log.counted.begin(), log.counted.end(), 1);
+  double lost = log.lost;
+  for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+    if (log.counted[k] == 0 && !(log.impulses[k] > 0)) continue;
+    const CrowdContact& contact = crowd.contacts[k];
+    const Index i = crowd.members[static_cast<std::size_t>(contact.a)];
+    const Index j = contact.b == kWall ? crowd.near[k].partner
+                                       : crowd.members[static_cast<std::size_t>(contact.b)];
+    Impact& impact = log_contact(now, i, j, crowd.near[k].r);
+    impact.impulse = log.impulses[k];
+    impact.energy_lost = lost;
+    lost = 0;
+    if (log.counted[k] == 0) {
+      impact.kind = ImpactKind::rest;
+    } else if (counted > 1) {
+      impact.kind = ImpactKind::joint;
+      impact.event = event;
+    }
+  }
+}
+
+}  // namespace carom::event
