@@ -31,6 +31,7 @@ AccuracyRequest request_of(const Options& options) {
   request.time = options.time;
   request.target = options.target;
   request.share = options.share;
+  request.seeds = options.seeds;
   for (const std::string& crew : options.crews) {
     const bool per_ball = crew == "per-ball";
     request.crews.push_back({per_ball, per_ball ? 1 : std::stoull(crew)});

@@ -1,17 +1,20 @@
 #pragma once
 
+#include <CLI/App.hpp>
+#include <CLI/Formatter.hpp>
 #include <string>
-
-namespace CLI {
-class App;
-}
 
 namespace carom {
 
-/// A line of help: what to write, then what it means, wrapped to 80 columns.
-std::string help_row(const std::string& what, const std::string& meaning);
-
-/// The options of a command by their groups.
-std::string help_options(const CLI::App& app);
+/// CLI11's help texts in two columns, wrapped to 80 characters.
+class HelpText : public CLI::Formatter {
+ public:
+  std::string make_description(const CLI::App* app) const override;
+  std::string make_usage(const CLI::App* app, std::string name) const override;
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override;
+  std::string make_option(const CLI::Option* option, bool is_positional) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
+};
 
 }  // namespace carom

@@ -7,10 +7,11 @@
 
 namespace carom {
 
-/// The scene in `file`, where the command line's method, step, digits, workers and seed replace
-/// what it says.  A file of "-" is standard input.
+/// The scene of this name, a file or an installed scene, where the command line's --set, method,
+/// step, digits, workers and seed replace
+/// what it says.  A name of "-" is standard input.
 /// Errors: SceneError; UsageError that quotes the option which the scene cannot take.
-Scene load_scene(const std::string& file, const Options& options);
+Scene load_scene(const std::string& name, const Options& options);
 
 /// The same for the built-in scene.
 Scene load_builtin_scene(const Options& options);

@@ -21,6 +21,9 @@ int obey(const carom::Options& options) {
       return carom::check(options);
     case carom::Options::Command::verify:
       return carom::verify(options);
+    case carom::Options::Command::scenes:
+      return carom::scenes(options);
+    case carom::Options::Command::help:
     case carom::Options::Command::print:
       carom::print(options.text);
       return 0;

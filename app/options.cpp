@@ -1,382 +1,273 @@
 #include "options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <limits>
+#include <functional>
 #include <memory>
-#include <string_view>
 
+#include "carom/names.hpp"
 #include "carom/report.hpp"
 #include "help.hpp"
-#include "values.hpp"
+#include "option_table.hpp"
 
 namespace carom {
 namespace {
 
-constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
-constexpr std::size_t kManyScenes = std::numeric_limits<std::size_t>::max();
-
-/// A command of the program: its name, how many scenes it takes, what it is for.
-struct CommandRow {
-  std::string_view name;
-  Options::Command command;
-  std::size_t fewest_scenes;
-  std::size_t most_scenes;
-  std::string_view arguments;
-  std::string_view purpose;
-};
-
-constexpr std::array kCommands{
-    CommandRow{"play", Options::Command::play, 0, 1, "[SCENE]",
-               "play SCENE, or the built-in scene, in the terminal"},
-    CommandRow{"run", Options::Command::run, 1, 1, "SCENE",
-               "simulate without a terminal; write frames, report, final state"},
-    CommandRow{"accuracy", Options::Command::accuracy, 1, 1, "SCENE",
-               "run it in every way: what each costs, and how wrong each is"},
-    CommandRow{"check", Options::Command::check, 1, kManyScenes, "SCENE...",
-               "say what a scene simulates and what not, or what is wrong with it"},
-    CommandRow{"verify", Options::Command::verify, 0, 0, "",
-               "run the hard cases: does this build compute right"},
-};
+constexpr auto kAbout =
+    "carom: colliding balls in a terminal, with the price of accuracy on the label";
+constexpr auto kAboutScenes =
+    "Scenes are described in carom-scene(5); carom scenes lists the installed ones.\n"
+    "Without a command, SCENE is played; write ./run for a file called run. The\n"
+    "options of a command: carom COMMAND --help. The manual: carom(1).";
+constexpr auto kCommon = "Common options";
+constexpr std::size_t kFarthestWord = 2;  // typing errors, up to which a word is offered
 
 const CommandRow* find_command(std::string_view name) {
-  const auto* const row = std::find_if(kCommands.begin(), kCommands.end(),
-                                       [&](const CommandRow& each) { return each.name == name; });
-  return row == kCommands.end() ? nullptr : row;
+  for (const CommandRow& row : command_table()) {
+    if (row.name == name) return &row;
+  }
+  return nullptr;
 }
 
-/// The options of one command, bound to where their values go.
-class Syntax {
+bool takes(Options::Command command, const OptionRow& row) {
+  return std::find(row.commands.begin(), row.commands.end(), command) != row.commands.end();
+}
+
+/// `check` takes the common options and no others.
+bool is_common(const OptionRow& row) {
+  return std::any_of(option_table().begin(), option_table().end(), [&](const OptionRow& each) {
+    return each.name == row.name && takes(Options::Command::check, each);
+  });
+}
+
+std::string see_help(const CommandRow* row) {
+  return row == nullptr ? "; see carom --help" : fmt::format("; see carom {} --help", row->name);
+}
+
+/// As in "run, accuracy and check".
+std::string in_a_row(const std::vector<std::string>& words) {
+  if (words.size() < 2) return words.empty() ? "" : words.front();
+  return fmt::format("{} and {}", fmt::join(words.begin(), words.end() - 1, ", "), words.back());
+}
+
+std::string offer(std::string_view unknown, const std::vector<std::string>& known) {
+  const std::vector<std::string_view> words(known.begin(), known.end());
+  const std::string_view nearest = nearest_word(unknown, words, kFarthestWord);
+  return nearest.empty() ? "" : fmt::format(", the nearest one is {}", nearest);
+}
+
+/// The command line as CLI11 parses it.
+class Parser {
  public:
-  explicit Syntax(const CommandRow& row) : row_(row) {
-    app_.set_help_flag();
+  Parser() : app_(kAbout, "carom") {
     app_.allow_extras();
-    app_.add_option("SCENE", options_.scenes);
-    options_.command = row.command;
-    if (row.command == Options::Command::run) add_run();
-    if (row.command == Options::Command::accuracy) add_accuracy();
-    if (row.command == Options::Command::verify) add_verify();
-    add_common();
+    app_.require_subcommand(0, 1);
+    app_.formatter(std::make_shared<HelpText>());
+    app_.footer(kAboutScenes);
+    app_.add_option("SCENE", loose_, command_table().front().argument_purpose)
+        ->type_name(command_table().front().argument);
+    add_options(app_, command_table().front());
+    for (const CommandRow& row : command_table()) {
+      CLI::App& command = *app_.add_subcommand(row.name, row.purpose);
+      command.group("Commands");
+      command.footer(row.note);
+      if (row.most_arguments > 0) {
+        command
+            .add_option(row.command == Options::Command::help ? "COMMAND" : "SCENE", words_,
+                        row.argument_purpose)
+            ->type_name(row.argument);
+      }
+      add_options(command, row);
+    }
   }
 
-  [[nodiscard]] const CLI::App& app() const { return app_; }
-
-  Options parse(std::vector<std::string> arguments) {
-    std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  Options parse(const std::vector<std::string>& arguments) {
+    refuse_empty_values(arguments);
     try {
-      app_.parse(arguments);
-    } catch (const CLI::ArgumentMismatch& error) {
-      const std::string message =
-          error.what();  // "--time: 1 required ..." or "quiet was given ..."
-      const bool flag = !message.starts_with('-');
-      throw UsageError(fmt::format("{}{}: {}{}", flag ? "--" : "",
-                                   message.substr(0, message.find_first_of(": ")),
-                                   flag ? "takes no value" : "needs a value", see_help()));
+      app_.parse(std::vector<std::string>(arguments.rbegin(),
+                                          arguments.rend()));  // the order that CLI11 takes
+    } catch (const CLI::CallForHelp&) {
+      return printed(app_.help());
+    } catch (const CLI::CallForVersion& version) {
+      return printed(version.what());
+    } catch (const CLI::ArgumentMismatch&) {
+      throw UsageError(flag_with_value(arguments));
     } catch (const CLI::ParseError& error) {
-      throw UsageError(error.what() + see_help());
+      throw UsageError(error.what());
     }
-    for (const std::string& extra : app_.remaining()) {
-      if (extra != "--") throw UsageError(fmt::format("unknown option '{}'{}", extra, see_help()));
-    }
-    return options_;
-  }
-
-  [[nodiscard]] bool wants_help() const { return help_; }
-  [[nodiscard]] bool wants_version() const { return version_; }
-  [[nodiscard]] std::string see_help() const {
-    return row_.command == Options::Command::play ? "; see carom --help"
-                                                  : fmt::format("; see carom {} --help", row_.name);
+    return finish();
   }
 
  private:
-  using Take = std::function<void(const std::string& name, const std::string& value)>;
-
-  /// An option with a value; given twice, the last one counts.
-  void add(const std::string& name, const std::string& value, Take take,
-           const std::string& purpose) {
-    app_.add_option_function<std::string>(
-            name,
-            [name, take = std::move(take), this](const std::string& text) {
-              if (text.empty() || text.starts_with("--")) {
-                throw UsageError(
-                    fmt::format("{}: needs a value, got '{}'{}", name, text, see_help()));
-              }
-              take(name, text);
-            },
-            purpose)
-        ->type_name(value)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  static Options printed(const std::string& text) {
+    Options options;
+    options.command = Options::Command::print;
+    options.text = text.ends_with('\n') ? text : text + '\n';
+    return options;
   }
 
-  void add_flag(const std::string& name, bool& given, const std::string& purpose) {
-    app_.add_flag(name, given, purpose)->disable_flag_override();
-  }
-
-  void add_common() {
-    app_.option_defaults()->group("Options of every command");
-    add(
-        "--method", "METHOD",
-        [this](const std::string& name, const std::string& text) {
-          if (text == "overlap") {
-            options_.method = Method::overlap;
-          } else if (text == "event") {
-            options_.method = Method::event;
-          } else {
-            throw UsageError(fmt::format("{}: must be overlap or event, got '{}'", name, text));
-          }
-        },
-        "how to compute: overlap, which takes steps of time");
-    add(
-        "--step", "SECONDS",
-        [this](const std::string& name, const std::string& text) {
-          options_.step = finite_number(name, text, false);
-        },
-        "length of a step; 1/240 where nothing says otherwise");
-    add(
-        "--digits", "DIGITS",
-        [this](const std::string& name, const std::string& text) {
-          options_.digits = static_cast<int>(whole_number(name, text, 1, 1000));
-        },
-        "digits of the arithmetic: 16, double precision");
-    if (row_.command == Options::Command::accuracy) {
-      add(
-          "--workers", "WORKERS",
-          [this](const std::string& name, const std::string& text) { take_crews(name, text); },
-          "threads, as in 1,2,per-ball: the first for all runs, the rest for one of each method");
-    } else {
-      add(
-          "--workers", "WORKERS",
-          [this](const std::string& name, const std::string& text) {
-            options_.workers = crew(name, text);
-          },
-          "threads: a number, or per-ball; never changes the result");
+  void add_options(CLI::App& app, const CommandRow& command) {
+    for (const bool common : {false, true}) {
+      for (const OptionRow& row : option_table()) {
+        if (!takes(command.command, row) || is_common(row) != common) continue;
+        add_option(app, row).group(common ? kCommon : "Options of " + command.name);
+      }
     }
-    add(
-        "--seed", "SEED",
-        [this](const std::string& name, const std::string& text) {
-          options_.seed = whole_number(name, text, 0, kAny);
-        },
-        "what the scene's fills are drawn from, a whole number");
-    add_flag("--no-color", options_.no_color, "no colours, as with NO_COLOR in the environment");
-    add_flag("-h,--help", help_, "print this help");
-    add_flag("--version", version_, "print the version");
+    app.set_help_flag("-h,--help", "print this help")->group(kCommon);
+    app.set_version_flag("--version", fmt::format("carom {}", version()), "print the version")
+        ->group(kCommon);
   }
 
-  static std::string crew(const std::string& name, const std::string& text) {
-    if (text != "per-ball" && text.find_first_not_of("0123456789") != std::string::npos) {
+  CLI::Option& add_option(CLI::App& app, const OptionRow& row) {
+    if (row.rule.flag != nullptr) {
+      return *app.add_flag(row.name, options_.*row.rule.flag, row.purpose)->disable_flag_override();
+    }
+    const auto take = [this, &row](const std::string& value) {
+      if (value.empty()) {
+        throw CLI::ValidationError(row.name,
+                                   fmt::format("needs a value, as in {} {}", row.name, row.value));
+      }
+      row.rule.take(options_, value);
+    };
+    const CLI::Validator validator(
+        [&row](std::string& value) -> std::string {
+          const std::string demand = row.rule.demand(value);
+          return demand.empty() ? "" : fmt::format("{}, got '{}'", demand, value);
+        },
+        "");
+    // A value may be missing for CLI11, so that `take` says what is wrong; each occurrence is
+    // taken as it comes, so that of several the last one counts or all do.
+    return *app.add_option_function<std::string>(row.name, take, help_of(row))
+                ->type_name(row.value)
+                ->check(validator)
+                ->expected(0, 1)
+                ->trigger_on_parse();
+  }
+
+  static std::string help_of(const OptionRow& row) {
+    if (row.rule.words.empty()) return row.purpose;
+    const auto& words = row.rule.words;
+    return fmt::format("{} {} or {}", row.purpose, fmt::join(words.begin(), words.end() - 1, ", "),
+                       words.back());
+  }
+
+  /// "--report= b.json" would take b.json as its value.
+  static void refuse_empty_values(const std::vector<std::string>& arguments) {
+    for (const std::string& argument : arguments) {
+      if (argument == "--") return;
+      if (argument.starts_with("--") && argument.find('=') == argument.size() - 1) {
+        throw UsageError(fmt::format("{}: needs a value after the '='", argument));
+      }
+    }
+  }
+
+  static std::string flag_with_value(const std::vector<std::string>& arguments) {
+    for (const std::string& argument : arguments) {
+      const std::string name = argument.substr(0, argument.find('='));
+      const bool flag =
+          name == "--help" || name == "--version" ||
+          std::any_of(option_table().begin(), option_table().end(), [&](const OptionRow& row) {
+            return row.name == name && row.rule.flag != nullptr;
+          });
+      if (flag && name != argument)
+        return fmt::format("{}: takes no value, got '{}'", name, argument.substr(name.size() + 1));
+    }
+    return "an option has the wrong number of values; see carom --help";
+  }
+
+  Options finish() {
+    const auto parsed = app_.get_subcommands();
+    const bool named = !parsed.empty();
+    const CommandRow& row =
+        named ? *find_command(parsed.front()->get_name()) : command_table().front();
+    refuse_unknown(row, named);
+    if (row.command == Options::Command::help) return help();
+    options_.command = row.command;
+    options_.scenes = named ? words_ : loose_;
+    check_together(row, named);
+    return options_;
+  }
+
+  void refuse_unknown(const CommandRow& row, bool named) const {
+    const CommandRow* const help_from = named ? &row : nullptr;
+    std::vector<std::string> words = app_.remaining(true);
+    words.erase(std::remove(words.begin(), words.end(), "--"), words.end());
+    for (const std::string& word : words) {
+      if (word.starts_with('-')) throw UsageError(unknown_option(word, row, help_from));
+    }
+    if (named && !loose_.empty()) words.insert(words.begin(), loose_.front());
+    if (words.empty()) return;
+    throw UsageError(fmt::format("unexpected argument '{}'{}", words.front(), see_help(help_from)));
+  }
+
+  static std::string unknown_option(const std::string& word, const CommandRow& row,
+                                    const CommandRow* help_from) {
+    const std::string name = word.substr(0, word.find('='));
+    std::vector<std::string> names;
+    for (const OptionRow& option : option_table()) {
+      if (takes(row.command, option)) names.push_back(option.name);
+      if (option.name != name) continue;
+      std::vector<std::string> commands;
+      for (const CommandRow& command : command_table()) {
+        if (takes(command.command, option)) commands.push_back(command.name);
+      }
+      if (takes(row.command, option)) {
+        return fmt::format("'{}' is an option of {}: write it after '{}'", name, row.name,
+                           row.name);
+      }
+      return fmt::format("'{}' is an option of {}, not of {}{}", name, in_a_row(commands), row.name,
+                         see_help(help_from));
+    }
+    return fmt::format("unknown option '{}'{}{}", name, offer(name, names), see_help(help_from));
+  }
+
+  Options help() const {
+    if (words_.empty()) {
+      return printed(app_.get_formatter()->make_help(&app_, "carom", CLI::AppFormatMode::Normal));
+    }
+    if (words_.size() > 1) {
+      throw UsageError(fmt::format("unexpected argument '{}': help takes one COMMAND", words_[1]));
+    }
+    if (find_command(words_.front()) == nullptr) throw UsageError(unknown_command(words_.front()));
+    return printed(app_.get_subcommand(words_.front())->help("carom"));
+  }
+
+  void check_together(const CommandRow& row, bool named) const {
+    const auto& scenes = options_.scenes;
+    if (!named && scenes.size() > 1) throw UsageError(unknown_command(scenes.front()));
+    if (scenes.size() < row.fewest_arguments) {
       throw UsageError(
-          fmt::format("{}: must be per-ball or a whole number from 1, got '{}'", name, text));
+          fmt::format("{} needs a SCENE: {}{}", row.name, row.argument_purpose, see_help(&row)));
     }
-    if (text != "per-ball") whole_number(name, text, 1, kAny);
-    return text;
-  }
-
-  void take_crews(const std::string& name, const std::string& text) {
-    options_.crews.clear();
-    for (std::size_t begin = 0; begin <= text.size();) {
-      const std::size_t end = std::min(text.find(',', begin), text.size());
-      options_.crews.push_back(crew(name, text.substr(begin, end - begin)));
-      begin = end + 1;
+    if (scenes.size() > row.most_arguments) {
+      throw UsageError(fmt::format("unexpected argument '{}': {} takes one SCENE{}",
+                                   scenes[row.most_arguments], row.name, see_help(&row)));
     }
-    options_.workers = options_.crews.front();
+    if (options_.time && options_.frames) {
+      throw UsageError("--time and --frames: give one of them; each says when the run ends");
+    }
   }
 
-  void add_time() {
-    add(
-        "--time", "SECONDS",
-        [this](const std::string& name, const std::string& text) {
-          options_.time = finite_number(name, text, true);
-        },
-        "simulated seconds to run, not the scene's duration");
+  static std::string unknown_command(const std::string& word) {
+    std::vector<std::string> names;
+    for (const CommandRow& row : command_table()) names.push_back(row.name);
+    return fmt::format("unknown command '{}'{}; the commands are {}", word, offer(word, names),
+                       in_a_row(names));
   }
 
-  void add_accuracy() {
-    app_.option_defaults()->group("Options of accuracy");
-    add_time();
-    add(
-        "--target", "ERROR",
-        [this](const std::string& name, const std::string& text) {
-          options_.target = positive_number(name, text);
-        },
-        "name the cheapest run whose error of position at the end is not larger");
-    add(
-        "--share", "SECONDS",
-        [this](const std::string& name, const std::string& text) {
-          options_.share = finite_number(name, text, false);
-        },
-        "wall-clock seconds that one run may take (2)");
-    add_file("--json", options_.json, "write everything as JSON");
-    add_file("--csv", options_.csv, "write the runs as a table with commas");
-    add(
-        "--plot", "FILE",
-        [this](const std::string& name, const std::string& text) {
-          if (!text.ends_with(".svg") && !text.ends_with(".png")) {
-            throw UsageError(fmt::format("{}: must end in .svg or .png, got '{}'", name, text));
-          }
-          options_.plot = text;
-        },
-        "draw error against time with gnuplot: .svg or .png");
-    add_flag("--quiet", options_.quiet, "no progress and no table");
-  }
-
-  void add_verify() {
-    app_.option_defaults()->group("Options of verify");
-    add(
-        "--case", "NAME",
-        [this](const std::string&, const std::string& text) { options_.case_name = text; },
-        "run this case only");
-    add_flag("--long", options_.thorough, "the long versions: more collisions, larger systems");
-    add_file("--json", options_.json, "write the results as JSON");
-  }
-
-  void add_run() {
-    app_.option_defaults()->group("Options of run");
-    add_time();
-    add(
-        "--frames", "FRAMES",
-        [this](const std::string& name, const std::string& text) {
-          options_.frames = whole_number(name, text, 0, kAny);
-        },
-        "frames of the frame clock to run, instead of a time");
-    add_file("--dump", options_.dump, "write the frames as text");
-    add(
-        "--size", "COLSxROWS",
-        [this](const std::string& name, const std::string& text) {
-          std::tie(options_.columns, options_.rows) = cell_size(name, text);
-        },
-        "size of a dumped frame (80x24)");
-    add(
-        "--every", "FRAMES",
-        [this](const std::string& name, const std::string& text) {
-          options_.every = whole_number(name, text, 1, kAny);
-        },
-        "dump every frame, every second, third ... (1)");
-    add_file("--report", options_.report, "write what was measured and the final state as JSON");
-    add_file("--save", options_.save, "write the final state as a scene that goes on");
-    add_flag("--quiet", options_.quiet, "no progress and no summary");
-  }
-
-  void add_file(const std::string& name, std::string& file, const std::string& purpose) {
-    add(
-        name, "FILE", [&file](const std::string&, const std::string& text) { file = text; },
-        purpose);
-  }
-
-  const CommandRow& row_;
   CLI::App app_;
   Options options_;
-  bool help_ = false;
-  bool version_ = false;
+  std::vector<std::string> loose_;  // words before or without a command
+  std::vector<std::string> words_;  // words after it
 };
-
-/// Where the command's name stands: the first argument that is neither option nor option's value.
-std::size_t find_command_word(const std::vector<std::string>& arguments) {
-  // Between them they have the options of every command, and so tell values from words.
-  const Syntax run(*find_command("run"));
-  const Syntax accuracy(*find_command("accuracy"));
-  const Syntax verify(*find_command("verify"));
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& argument = arguments[i];
-    if (argument == "--") break;
-    if (argument == "-" || !argument.starts_with('-')) return i;
-    const CLI::Option* option = run.app().get_option_no_throw(argument);
-    if (option == nullptr) option = accuracy.app().get_option_no_throw(argument);
-    if (option == nullptr) option = verify.app().get_option_no_throw(argument);
-    if (option != nullptr && option->get_items_expected_max() > 0) ++i;
-  }
-  return arguments.size();
-}
-
-void refuse_empty_values(const std::vector<std::string>& arguments) {
-  for (const std::string& argument : arguments) {
-    if (argument == "--") return;
-    if (argument.starts_with("--") && argument.ends_with('=')) {
-      throw UsageError(fmt::format("{}: needs a value after the '='", argument));
-    }
-  }
-}
-
-void check_together(const Options& options, const CommandRow& row, const Syntax& syntax) {
-  if (options.scenes.size() < row.fewest_scenes) {
-    throw UsageError(fmt::format("{} needs a SCENE, a file to read, or - for standard input{}",
-                                 row.name, syntax.see_help()));
-  }
-  if (options.scenes.size() > row.most_scenes) {
-    throw UsageError(fmt::format("unexpected argument '{}': {} takes {} SCENE{}",
-                                 options.scenes[row.most_scenes], row.name,
-                                 row.most_scenes == 0 ? "no" : "one", syntax.see_help()));
-  }
-  if (options.time && options.frames) {
-    throw UsageError("--time and --frames: give one of them; each says when the run ends");
-  }
-}
-
-std::string overview(const Syntax& syntax) {
-  std::string text =
-      "carom: colliding balls in a terminal, with the price of accuracy on the label\n\n"
-      "Usage: carom [SCENE] [OPTION...]\n"
-      "       carom COMMAND [SCENE...] [OPTION...]\n\nCommands:\n";
-  for (const CommandRow& row : kCommands) {
-    text += help_row(fmt::format("{} {}", row.name, row.arguments), std::string(row.purpose));
-  }
-  return text + help_options(syntax.app()) +
-         "\nSCENE is a file as in carom-scene(5), or - for standard input. Without a\n"
-         "command, SCENE is played; write ./run for a file called run. The options of a\n"
-         "command: carom COMMAND --help. The manual: carom(1).\n";
-}
-
-std::string command_help(const CommandRow& row, const Syntax& syntax) {
-  std::string text = fmt::format("carom {}: {}\n\nUsage: carom {} {} [OPTION...]\n", row.name,
-                                 row.purpose, row.name, row.arguments);
-  text += help_options(syntax.app());
-  if (row.command == Options::Command::accuracy) {
-    text +=
-        "\nA FILE of - is standard output; the table then goes to standard error.\n"
-        "A file is written whole or not at all.\n";
-  }
-  if (row.command == Options::Command::run) {
-    text +=
-        "\nA FILE of - is standard output; the summary then goes to standard error.\n"
-        "A file is written whole or not at all.\n";
-  }
-  return text;
-}
 
 }  // namespace
 
 Options parse_options(const std::vector<std::string>& arguments) {
-  refuse_empty_values(arguments);
-  std::vector<std::string> rest = arguments;
-  const std::size_t word = find_command_word(rest);
-  const CommandRow* row = nullptr;
-  if (word < rest.size()) {
-    row = find_command(rest[word]);
-  }
-  const bool named = row != nullptr;
-  if (named) {
-    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(word));
-  } else {
-    row = find_command("play");
-  }
-  Syntax syntax(*row);
-  Options options = syntax.parse(rest);
-  if (syntax.wants_help() || syntax.wants_version()) {
-    options.command = Options::Command::print;
-    options.text = syntax.wants_version() ? fmt::format("carom {}\n", version())
-                   : named                ? command_help(*row, syntax)
-                                          : overview(syntax);
-    return options;
-  }
-  if (!named && options.scenes.size() > 1) {
-    throw UsageError(
-        fmt::format("unknown command '{}': the commands are play, run, accuracy, check and verify",
-                    options.scenes.front()));
-  }
-  check_together(options, *row, syntax);
-  return options;
+  return Parser().parse(arguments);
 }
 
 }  // namespace carom

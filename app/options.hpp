@@ -19,11 +19,11 @@ class UsageError : public std::runtime_error {
 
 /// What the command line asks for.
 struct Options {
-  enum class Command { play, run, accuracy, check, verify, print };
+  enum class Command { play, run, accuracy, check, verify, scenes, help, print };
 
   Command command = Command::play;
   std::string text;                 ///< print: the help or the version
-  std::vector<std::string> scenes;  ///< files, "-" for standard input; none: the built-in scene
+  std::vector<std::string> scenes;  ///< files or installed names; none: the built-in scene
 
   // Common: what the scene says is replaced by these.
   std::optional<Method> method;
@@ -31,6 +31,7 @@ struct Options {
   std::optional<int> digits;
   std::optional<std::string> workers;  ///< "per-ball" or a whole number from 1
   std::optional<std::uint64_t> seed;
+  std::vector<std::string> set;  ///< each "/POINTER=VALUE", a change of the scene
   bool no_color = false;
 
   // run
@@ -50,6 +51,15 @@ struct Options {
   std::uint64_t trace_frames = 120;
   std::string cast;
   bool no_state = false;
+  std::string checkpoint;
+  double checkpoint_every = 60;  ///< wall-clock seconds
+
+  // play
+  std::string record;
+  std::string log;
+  std::string glyphs = "ascii";
+  double fps = 30;
+  bool no_mouse = false;
 
   // accuracy, which takes the time of run too
   std::vector<std::string> crews;  ///< each as `workers`; the first computes every row
@@ -58,10 +68,13 @@ struct Options {
   std::string json;                ///< files, as above
   std::string csv;
   std::string plot;  ///< .svg or .png
+  std::uint64_t seeds = 8;
+  std::vector<std::string> observables;
 
   // verify, which takes json and seed too
   std::string case_name;  ///< empty: all
   bool thorough = false;  ///< the long versions
+  bool list = false;      ///< name the cases instead
 };
 
 /// Reads the arguments, without the program's name.  Errors: UsageError.

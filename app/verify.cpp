@@ -52,6 +52,11 @@ void refuse_unknown_case(const std::string& name) {
 }  // namespace
 
 int verify(const Options& options) {
+  if (options.list) {
+    for (const HardCase& each : hard_cases())
+      print(fmt::format("{:<10} {}\n", each.name, each.about));
+    return 0;
+  }
   refuse_unknown_case(options.case_name);
   unfinished_files::remove_on_signals();
   OutputFile json("--json", options.json);

@@ -42,8 +42,9 @@ const std::vector<Layer> kLayers{
     {"engine/src/", {"carom/", "impact_record.hpp", "state/", "Eigen/", "fmt/"}},
     {"app/view/", {"carom/", "view/", "fmt/", "curses.h", "term.h"}},
     {"app/export/", {"carom/", "export/", "fmt/"}},
-    {"app/help.cpp", {"help.hpp", "fmt/", "CLI/"}},
-    {"app/options.cpp", {"carom/", "options.hpp", "values.hpp", "help.hpp", "fmt/", "CLI/"}},
+    {"app/help", {"help.hpp", "fmt/", "CLI/"}},
+    {"app/options.cpp",
+     {"carom/", "options.hpp", "option_table.hpp", "help.hpp", "fmt/", "CLI/"}},
 };
 
 /// What the engine's inside is called in includes, and what has its one place.

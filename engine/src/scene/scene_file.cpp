@@ -1,4 +1,5 @@
 #include "carom/scene_file.hpp"
+#include "carom/scene_change.hpp"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "scene/from_tree.hpp"
 #include "scene/json_tree.hpp"
 #include "scene/judge.hpp"
+#include "scene/set_value.hpp"
 #include "scene/shape.hpp"
 #include "scene/text_check.hpp"
 
@@ -91,10 +93,26 @@ std::string SceneError::line(const Problem& problem) const {
 }
 
 Scene read_scene(const std::filesystem::path& file) {
+  return read_scene(file, {});
+}
+
+Scene read_scene(const std::filesystem::path& file, std::span<const SceneChange> changes) {
   const std::string source = file == "-" ? "standard input" : file.string();
-  Scene scene = parse_scene(read_text(file, source), source);
+  Scene scene = parse_scene(read_text(file, source), source, changes);
   if (scene.name.empty()) scene.name = scene::printable(file.stem().string());
   return scene;
+}
+
+Scene parse_scene(std::string_view text, const std::string& source,
+                  std::span<const SceneChange> changes) {
+  if (changes.empty() || !scene::parse_tree(text).complete) return parse_scene(text, source);
+  std::string changed(text);
+  try {
+    for (const SceneChange& change : changes) changed = scene::set_value(changed, change);
+  } catch (const SceneError& error) {
+    throw SceneError(source, error.problems());
+  }
+  return parse_scene(changed, source);
 }
 
 Scene parse_scene(std::string_view text, const std::string& source) {
@@ -139,8 +157,11 @@ std::vector<Problem> find_problems(const Scene& scene) {
 }
 
 Scene builtin_scene() {
-  Scene scene = parse_scene(scene::kBuiltin, "the built-in scene");
-  return scene;
+  return builtin_scene({});
+}
+
+Scene builtin_scene(std::span<const SceneChange> changes) {
+  return parse_scene(scene::kBuiltin, "the built-in scene", changes);
 }
 
 }  // namespace carom
