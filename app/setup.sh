@@ -11,10 +11,10 @@ libeigen3-dev      header:Eigen/Core
 nlohmann-json3-dev header:nlohmann/json.hpp
 libcli11-dev       header:CLI/CLI.hpp
 libfmt-dev         header:fmt/format.h
-libboost-dev       header:boost/multiprecision/mpfr.hpp
 libmpfr-dev        header:mpfr.h
 '
 test_packages='
+libboost-dev       header:boost/multiprecision/cpp_bin_float.hpp
 libgtest-dev       header:gtest/gtest.h
 librapidcheck-dev  header:rapidcheck.h
 libbenchmark-dev   header:benchmark/benchmark.h

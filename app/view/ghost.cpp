@@ -64,7 +64,7 @@ void Ghost::follow(const Simulation& run) {
   distance_ = 0;
   for (std::size_t i = 0; i < here.size(); ++i) {
     Vec2 way = here[i].position - there[i].position;
-    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
       if (box_.periodic[static_cast<std::size_t>(axis)])
         way[axis] = std::remainder(way[axis], box_.size()[axis]);
     }

@@ -63,7 +63,7 @@ void paint_ghost(const Frame& frame, Canvas& canvas) {
   const Camera camera(frame.box, canvas.columns, canvas.rows);
   for (const FrameBall& ball : frame.balls) {
     Vec2 home = ball.position;
-    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
       const double size = frame.box.size()[axis];
       if (frame.box.periodic[static_cast<std::size_t>(axis)])
         home[axis] -= size * std::floor((home[axis] - frame.box.lower()[axis]) / size);

@@ -194,7 +194,7 @@ class Simulation::Implementation {
     const std::vector<Ball> balls = solver_->state();
     for (std::size_t i = 0; i < balls.size(); ++i) {
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        const double x = balls[i].position[static_cast<Eigen::Index>(axis)];
+        const double x = balls[i].position[axis];
         if (!domain.solid(axis) || (x >= domain.lower[axis] && x <= domain.upper[axis])) continue;
         throw CommandError(fmt::format("walls stay off: ball {} is out of the box", i));
       }
@@ -209,7 +209,7 @@ class Simulation::Implementation {
     }
     const Domain domain(scene_.box, has_walls(scene_.effects));
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const double x = ball.position[static_cast<Eigen::Index>(axis)];
+      const double x = ball.position[axis];
       const bool outside =
           x < domain.lower[axis] + ball.radius || x > domain.upper[axis] - ball.radius;
       if (domain.solid(axis) && outside) {
@@ -221,7 +221,7 @@ class Simulation::Implementation {
     const std::vector<Ball> balls = solver_->state();
     for (std::size_t i = 0; i < balls.size(); ++i) {
       Vec2 r = balls[i].position - ball.position;
-      for (Eigen::Index k = 0; k < 2; ++k) {
+      for (std::size_t k = 0; k < 2; ++k) {
         const double period = domain.period[static_cast<std::size_t>(k)];
         if (period > 0) r[k] -= period * std::rint(r[k] / period);
       }

@@ -42,7 +42,7 @@ TEST_P(EventReference, ends_within_the_rounding_its_condition_allows_after_as_ma
   double worst = 0;
   for (std::size_t i = 0; i < end.size(); ++i) {
     const nlohmann::json& ball = expected["balls"][i];
-    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
       const auto k = static_cast<std::size_t>(axis);
       double off = end[i].position[axis] - number(ball["position"][k]);
       if (scene.box.periodic[k]) off = std::remainder(off, scene.box.size()[axis]);

@@ -75,7 +75,7 @@ RC_GTEST_PROP(AnyRun, EndsWithEveryBallInsideItsWalls, ()) {
   for (const Ball& ball : balls) {
     for (const std::size_t axis : {0U, 1U}) {
       if (!domain.solid(axis)) continue;
-      const double x = ball.position[static_cast<Eigen::Index>(axis)];
+      const double x = ball.position[axis];
       RC_ASSERT(x >= domain.lowest(axis, ball.radius));
       RC_ASSERT(x <= domain.highest(axis, ball.radius));
     }

@@ -46,7 +46,7 @@ TEST(CellGrid, FindsExactlyThePairsThatAreNear) {
       for (int i = 0; i < 60; ++i) {
         Ball ball;
         ball.radius = i % 3 == 0 ? 0.5 : 0.1;
-        for (Eigen::Index k = 0; k < 2; ++k) {
+        for (std::size_t k = 0; k < 2; ++k) {
           const double spread = box.periodic[static_cast<std::size_t>(k)] ? 1 : 1.5;
           ball.position[k] = box.size()[k] * (0.5 + spread * (test::uniform(engine) - 0.5));
         }
@@ -64,7 +64,7 @@ TEST(CellGrid, FindsExactlyThePairsThatAreNear) {
       for (std::uint32_t i = 0; i < list.size(); ++i) {
         for (std::uint32_t j = i + 1; j < list.size(); ++j) {
           Vec2 r = list[j].position - list[i].position;
-          for (Eigen::Index k = 0; k < 2; ++k) {
+          for (std::size_t k = 0; k < 2; ++k) {
             if (box.periodic[static_cast<std::size_t>(k)]) {
               r[k] = std::remainder(r[k], box.size()[k]);
             }

@@ -131,7 +131,8 @@ TEST(Populate, GivesVelocitiesOfTheTemperatureAndNoMomentum) {
   double size = 0;
   for (const Ball& ball : balls) {
     momentum += ball.mass * ball.velocity;
-    squares += ball.mass * ball.velocity.cwiseAbs2();
+    const Vec2& v = ball.velocity;
+    squares += ball.mass * Vec2{v.x() * v.x(), v.y() * v.y()};
     size += ball.mass * ball.velocity.norm();
   }
   const double n = 4000;

@@ -41,7 +41,7 @@ void CellGrid::sort(const Balls& balls, const Domain& domain, double cell) {
   ball_.resize(n);
   moves_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Index k = Balls::index(i);
+    const std::size_t k = i;
     const std::size_t e = starts_[cell_[i]]++;
     x_[e] = balls.position[0][k];
     y_[e] = balls.position[1][k];

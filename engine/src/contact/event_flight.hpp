@@ -23,8 +23,8 @@ struct Flight {
 // axis, h and v along that normal, and wall_arrival(), its normal velocity then; peg_wait(), when
 // it meets a fixed ball, where flights bend past it; pull(), what pulls it along an axis; push(),
 // how it accelerates there at some velocity, which then fades at the rate fading() and keeps its
-// sign; under(), the same law with another pull; bends(), whether flights are anything but straight. kStretches: when() does something,
-// and gives no less than it is given.
+// sign; under(), the same law with another pull; bends(), whether flights are anything but
+// straight. kStretches: when() does something, and gives no less than it is given.
 
 /// The law of a ball that something carries along some axes: 1 for x, 2 for y.
 template <class Law>

@@ -65,7 +65,7 @@ class Way {
 void find_bullets(const Balls& balls, std::size_t begin, std::size_t end, double step,
                   double smallest_radius, std::vector<Bullet>& bullets) {
   for (std::size_t i = begin; i < end; ++i) {
-    const Eigen::Index k = Balls::index(i);
+    const std::size_t k = i;
     const double vx = balls.velocity[0][k];
     const double vy = balls.velocity[1][k];
     const double reach = balls.radius[k] + smallest_radius;
@@ -79,7 +79,7 @@ std::uint64_t count_missed(const Balls& balls, const Domain& domain, double step
                            const std::vector<Bullet>& bullets) {
   std::uint64_t missed = 0;
   for (const Bullet& bullet : bullets) {
-    const double radius = balls.radius[Balls::index(bullet.ball)];
+    const double radius = balls.radius[bullet.ball];
     const Vec2 arrived = balls.at(bullet.ball);
     Way way(bullet, radius, step, domain);
     Vec2 from;
@@ -87,7 +87,7 @@ std::uint64_t count_missed(const Balls& balls, const Domain& domain, double step
     while (way.next(from, piece)) {
       for (std::size_t j = 0; j < balls.size(); ++j) {
         if (j == bullet.ball) continue;
-        const double reach = radius + balls.radius[Balls::index(j)];
+        const double reach = radius + balls.radius[j];
         const double square = reach * reach;
         const auto touches = [&](const Vec2& at) {
           return nearest_image(balls.at(j) - at, domain).squaredNorm() <= square;

@@ -8,8 +8,7 @@ PairList all_pairs(const Balls& balls) {
     pairs.make_room(balls.size());
     for (std::size_t j = i + 1; j < balls.size(); ++j) {
       pairs.put(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j),
-                balls.radius[Balls::index(i)] + balls.radius[Balls::index(j)],
-                !(balls.fixed(i) && balls.fixed(j)));
+                balls.radius[i] + balls.radius[j], !(balls.fixed(i) && balls.fixed(j)));
     }
   }
   return pairs;

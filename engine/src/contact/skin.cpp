@@ -17,7 +17,7 @@ Skin choose_skin(const Balls& balls, const Domain& domain, double step) {
   double radii = 0;
   double widest = 0;
   double fastest_square = 0;
-  for (Eigen::Index i = 0; i < balls.radius.size(); ++i) {
+  for (std::size_t i = 0; i < balls.radius.size(); ++i) {
     radii += balls.radius[i];
     widest = std::max(widest, 2 * balls.radius[i]);
     const double vx = balls.velocity[0][i];

@@ -46,15 +46,15 @@ void attract_lanes(Balls& balls, const Domain& domain, const Attraction& attract
     }
     for (std::size_t l = 0; l < count; ++l) {
       const bool moves = inverse_mass[start + l] > 0;
-      const Eigen::Index i = Balls::index(start + l);
+      const std::size_t i = start + l;
       balls.pull[0][i] = moves ? sum_x[l] : 0;
       balls.pull[1][i] = moves ? sum_y[l] : 0;
     }
   }
 }
 
-double apart(const Balls& balls, const Domain& domain, std::size_t axis, Eigen::Index i,
-             Eigen::Index j) {
+double apart(const Balls& balls, const Domain& domain, std::size_t axis, std::size_t i,
+             std::size_t j) {
   const double d = balls.position[axis][j] - balls.position[axis][i];
   return domain.period[axis] > 0 ? nearest_image(d, domain.period[axis]) : d;
 }
@@ -83,9 +83,9 @@ double attraction_energy(const Balls& balls, const Domain& domain, const Attract
   if (attraction.strength == 0) return 0;
   const double softening = attraction.softening * attraction.softening;
   double sum = 0;
-  for (Eigen::Index i = 0; i < balls.mass.size(); ++i) {
+  for (std::size_t i = 0; i < balls.mass.size(); ++i) {
     double potential = 0;
-    for (Eigen::Index j = 0; j < i; ++j) {
+    for (std::size_t j = 0; j < i; ++j) {
       if (balls.inverse_mass[i] == 0 && balls.inverse_mass[j] == 0) continue;
       const double dx = apart(balls, domain, 0, i, j);
       const double dy = apart(balls, domain, 1, i, j);

@@ -12,13 +12,13 @@ namespace carom::effects {
 namespace {
 
 bool at_side(const Member& member, const Domain& domain, std::size_t axis, double outwards) {
-  const double x = member.position[Balls::index(axis)];
+  const double x = member.position[axis];
   return outwards < 0 ? x <= domain.lowest(axis, member.radius)
                       : x >= domain.highest(axis, member.radius);
 }
 
 double inside(const Member& member, const Domain& domain, std::size_t axis) {
-  const double x = member.position[Balls::index(axis)];
+  const double x = member.position[axis];
   if (!domain.solid(axis)) return x;
   return std::clamp(x, domain.lowest(axis, member.radius), domain.highest(axis, member.radius));
 }
@@ -42,7 +42,7 @@ void ContactGroup::load(const Balls& balls, std::span<const Pair> pairs, const D
   pulled = balls.pull[0].size() > 0;
   for (const Pair& pair : pairs) {
     for (const std::uint32_t ball : {pair.first, pair.second}) {
-      const Eigen::Index k = Balls::index(ball);
+      const std::size_t k = ball;
       Member member;
       member.ball = ball;
       member.position = member.start = balls.at(ball);
@@ -85,11 +85,11 @@ void ContactGroup::load(const Balls& balls, std::span<const Pair> pairs, const D
 void ContactGroup::store(Balls& balls, const Domain& domain) const {
   for (const Member& member : members) {
     if (member.inverse_mass == 0) continue;
-    const Eigen::Index k = Balls::index(member.ball);
+    const std::size_t k = member.ball;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const double x = inside(member, domain, axis);
       balls.position[axis][k] = domain.period[axis] > 0 ? domain.wrapped(axis, x) : x;
-      balls.velocity[axis][k] = member.velocity[Balls::index(axis)];
+      balls.velocity[axis][k] = member.velocity[axis];
     }
     if (spins) balls.spin[k] = member.spin;
   }
@@ -237,7 +237,7 @@ void note_wall(const WallImpact& met, std::size_t axis, const Member& ball, cons
   impact.a = ball.ball;
   impact.wall = side_of(axis, met.upper);
   impact.position = ball.position;
-  impact.normal[Balls::index(axis)] = met.upper ? 1 : -1;
+  impact.normal[axis] = met.upper ? 1 : -1;
   impact.distance = ball.radius;
   impact.impulse = ball.mass * met.impulse;
   impact.tangential = ball.mass * rubbed.impulse;
@@ -249,7 +249,7 @@ void ContactGroup::rebound(Member& member, const Domain& domain, const Collision
   if (member.inverse_mass == 0) return;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (!domain.solid(axis)) continue;
-    double& v = member.velocity[Balls::index(axis)];
+    double& v = member.velocity[axis];
     if (v == 0) continue;
     const double outwards = v < 0 ? -1 : 1;
     if (!at_side(member, domain, axis, outwards)) continue;

@@ -35,7 +35,7 @@ Rubbed rub_wall(Member& member, std::size_t axis, double normal, double coeffici
   const double outwards = normal < 0 ? -1 : 1;
   // n = (outwards, 0) gives t = (0, outwards), n = (0, outwards) gives t = (-outwards, 0).
   const double t = axis == 0 ? outwards : -outwards;
-  double& along = member.velocity[Balls::index(1 - axis)];
+  double& along = member.velocity[1 - axis];
   const double surface = member.radius * member.spin;
   const double slip = -(along * t + surface);
   const double impulse = wall_impulse(along * t, surface, normal, coefficient);
@@ -50,14 +50,14 @@ void rub_walls(Balls& balls, std::size_t begin, std::size_t count, const Struck&
     for (std::size_t k = 0; k < count; ++k) {
       const double normal = struck.normal[axis][k];
       if (normal == 0) continue;
-      const Eigen::Index i = Balls::index(begin + k);
+      const std::size_t i = begin + k;
       Member member;
       member.velocity = {balls.velocity[0][i], balls.velocity[1][i]};
       member.radius = balls.radius[i];
       member.spin = balls.spin[i];
       const Rubbed here = rub_wall(member, axis, normal, coefficient);
       if (rubbed != nullptr) (*rubbed)[axis][k] = here;
-      balls.velocity[1 - axis][i] = member.velocity[Balls::index(1 - axis)];
+      balls.velocity[1 - axis][i] = member.velocity[1 - axis];
       balls.spin[i] = member.spin;
     }
   }

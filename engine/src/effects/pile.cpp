@@ -11,9 +11,9 @@ constexpr int kPasses = 4;
 
 bool stands_on_wall(const Member& member, const Domain& domain, const Vec2& acceleration) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double pull = acceleration[Balls::index(axis)];
+    const double pull = acceleration[axis];
     if (!domain.solid(axis) || pull == 0) continue;
-    const double x = member.position[Balls::index(axis)];
+    const double x = member.position[axis];
     if (pull < 0 ? x <= domain.lowest(axis, member.radius)
                  : x >= domain.highest(axis, member.radius)) {
       return true;

@@ -43,7 +43,8 @@ double overlap_depth(const Box& box, const Vec2& a, double radius_a, const Vec2&
   if (c >= 0) return 0;
   // s - |r| = (s^2 - r^2) / (s + |r|): no cancellation where the two nearly touch.
   const double depth = -c / (s + std::sqrt(r.squaredNorm()));
-  double coordinates = a.cwiseAbs().sum() + b.cwiseAbs().sum() + s;
+  double coordinates =
+      (std::abs(a.x()) + std::abs(a.y())) + (std::abs(b.x()) + std::abs(b.y())) + s;
   for (int axis = 0; axis < 2; ++axis) {
     if (box.periodic[static_cast<std::size_t>(axis)]) coordinates += box.size()[axis];
   }
@@ -54,7 +55,7 @@ void DiskGrid::set_width(Level& level, double width) const {
   level.per_length = 1 / width;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (!box_.periodic[axis]) continue;
-    const double size = box_.size()[static_cast<Eigen::Index>(axis)];
+    const double size = box_.size()[axis];
     level.around[axis] = std::max<std::int64_t>(1, to_cell(size * level.per_length));
   }
 }
@@ -62,7 +63,7 @@ void DiskGrid::set_width(Level& level, double width) const {
 DiskGrid::Cell DiskGrid::cell_of(const Level& level, const Vec2& position) const {
   Cell index{0, 0};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const auto k = static_cast<Eigen::Index>(axis);
+    const auto k = axis;
     const double from_lower = position[k] - box_.lower()[k];
     const std::int64_t cells = level.around[axis];
     if (cells == 0) {

@@ -20,7 +20,7 @@ std::optional<Vec2> find_free_place(const Scene& scene, const std::vector<Ball>&
                                     double radius, std::uint64_t number) {
   Vec2 lower = scene.box.lower();
   Vec2 size = scene.box.size();
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
     if (scene.box.periodic[static_cast<std::size_t>(axis)]) continue;
     lower[axis] += radius;
     size[axis] -= 2 * radius;

@@ -23,7 +23,7 @@ double with_allowance(double length, double largest) {
 
 bool judge_inside(const Ball& ball, const std::string& place, const Scene& scene,
                   Verdict& verdict) {
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
     if (!has_walls(scene.effects) || scene.box.periodic[static_cast<std::size_t>(axis)]) continue;
     const double lower = scene.box.lower()[axis];
     const double upper = scene.box.upper()[axis];
@@ -52,7 +52,7 @@ bool judge_inside(const Ball& ball, const std::string& place, const Scene& scene
 bool judge_periodic(double radius, double largest_radius, const std::string& place,
                     const Scene& scene, Verdict& verdict) {
   if (!scene.effects.collisions) return true;
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
     if (!scene.box.periodic[static_cast<std::size_t>(axis)]) continue;
     const double size = scene.box.size()[axis];
     const double contact = radius + largest_radius;
@@ -137,7 +137,7 @@ void judge_fill(const Fill& fill, const std::string& place, const Scene& scene, 
   const Vec2 lower = fill.region ? (*fill.region)[0] : scene.box.lower();
   const Vec2 upper = fill.region ? (*fill.region)[1] : scene.box.upper();
   if (fill.count == 0) return;
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
     const bool periodic = scene.box.periodic[static_cast<std::size_t>(axis)];
     if (!(lower[axis] < upper[axis])) {
       verdict.add(fmt::format("{}/region/1/{}", place, axis),

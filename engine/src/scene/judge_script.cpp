@@ -26,7 +26,7 @@ class ScriptJudge {
     const std::string place = place_ + "/ball";
     if (judge_ball(add.ball, place, scene_, verdict_) && scene_.effects.collisions &&
         has_box(scene_)) {
-      for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      for (std::size_t axis = 0; axis < 2; ++axis) {
         const double size = scene_.box.size()[axis];
         if (scene_.box.periodic[static_cast<std::size_t>(axis)] && 4 * add.ball.radius > size) {
           verdict_.add(place + "/radius",

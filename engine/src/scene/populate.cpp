@@ -38,7 +38,7 @@ Region region_of(const Fill& fill, const Box& box) {
     region.upper = (*fill.region)[1];
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const auto k = static_cast<Eigen::Index>(axis);
+    const auto k = axis;
     region.around[axis] = box.periodic[axis] && region.lower[k] == box.lower()[k] &&
                           region.upper[k] == box.upper()[k];
   }
@@ -50,7 +50,7 @@ Region centres_of(const Region& region, double radius) {
   Region centres = region;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (region.around[axis]) continue;
-    const auto k = static_cast<Eigen::Index>(axis);
+    const auto k = axis;
     centres.lower[k] = region.lower[k] + radius;
     // A region as wide as its ball is left with one place, whatever the rounding.
     centres.upper[k] = std::max(centres.lower[k], region.upper[k] - radius);
@@ -84,7 +84,7 @@ void place_at_random(const Scene& scene, std::size_t number, DiskGrid& grid,
                       places.size(), fill.count));
     }
     Vec2 place{0, 0};
-    for (Eigen::Index k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < 2; ++k) {
       place[k] = centres.lower[k] + random.uniform() * (centres.upper[k] - centres.lower[k]);
       place[k] = std::min(place[k], centres.upper[k]);
       if (region.around[static_cast<std::size_t>(k)] && place[k] >= region.upper[k]) {

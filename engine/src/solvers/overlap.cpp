@@ -163,8 +163,8 @@ void OverlapSolver::note_walls(std::size_t begin, const effects::RubbedBlock* ru
       effects::Member ball;
       ball.ball = static_cast<std::uint32_t>(i);
       ball.position = balls_.at(i);
-      ball.radius = balls_.radius[Balls::index(i)];
-      ball.mass = balls_.mass[Balls::index(i)];
+      ball.radius = balls_.radius[i];
+      ball.mass = balls_.mass[i];
       effects::note_wall(met, axis, ball, rubbed == nullptr ? Rubbed{} : (*rubbed)[axis][met.k],
                          desk.impacts.log);
     }
@@ -383,7 +383,7 @@ void OverlapSolver::renew_rules() {
   smallest_radius_ = std::numeric_limits<double>::infinity();
   for (const double radius : balls_.radius) smallest_radius_ = std::min(smallest_radius_, radius);
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double along = acceleration[Balls::index(axis)];
+    const double along = acceleration[axis];
     rule_.wall_rest_speed[axis] = effects::rest_speed(along, step_, rule_.wall_restitution);
     wall_rule_[axis] = {rule_.wall_restitution, along, rule_.wall_rest_speed[axis], drag_rate_};
     glide_[axis] = Glide{step_};

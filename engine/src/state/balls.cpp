@@ -3,7 +3,7 @@
 namespace carom {
 
 Balls::Balls(const std::vector<Ball>& balls, const Effects& effects) {
-  const Eigen::Index n = index(balls.size());
+  const std::size_t n = balls.size();
   for (std::size_t axis = 0; axis < 2; ++axis) {
     position[axis].resize(n);
     velocity[axis].resize(n);
@@ -13,14 +13,14 @@ Balls::Balls(const std::vector<Ball>& balls, const Effects& effects) {
   inverse_mass.resize(n);
   if (effects.friction) spin.resize(n);
   if (effects.attraction) {
-    for (Column& column : pull) column = Column::Zero(n);
+    for (Column& column : pull) column = Column(n, 0.0);
   }
   glyph.reserve(balls.size());
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Ball& ball = balls[static_cast<std::size_t>(i)];
+  for (std::size_t i = 0; i < n; ++i) {
+    const Ball& ball = balls[i];
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      position[axis][i] = ball.position[index(axis)];
-      velocity[axis][i] = ball.fixed ? 0 : ball.velocity[index(axis)];
+      position[axis][i] = ball.position[axis];
+      velocity[axis][i] = ball.fixed ? 0 : ball.velocity[axis];
     }
     radius[i] = ball.radius;
     mass[i] = ball.mass;
@@ -31,7 +31,7 @@ Balls::Balls(const std::vector<Ball>& balls, const Effects& effects) {
 }
 
 Ball Balls::ball(std::size_t i) const {
-  const Eigen::Index k = index(i);
+  const std::size_t k = i;
   Ball ball;
   ball.position = {position[0][k], position[1][k]};
   ball.velocity = {velocity[0][k], velocity[1][k]};

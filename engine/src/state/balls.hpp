@@ -15,7 +15,7 @@ namespace carom {
 /// a fixed ball has inverse mass 0 and velocity 0.  There is no column for a property that no
 /// effect needs.
 struct Balls {
-  using Column = Eigen::ArrayXd;
+  using Column = std::vector<double>;
 
   std::array<Column, 2> position;  ///< x and y
   std::array<Column, 2> velocity;
@@ -29,14 +29,10 @@ struct Balls {
   explicit Balls(const std::vector<Ball>& balls = {}, const Effects& effects = {});
 
   [[nodiscard]] std::size_t size() const { return glyph.size(); }
-  [[nodiscard]] bool fixed(std::size_t i) const { return inverse_mass[index(i)] == 0; }
-  [[nodiscard]] Vec2 at(std::size_t i) const {
-    return {position[0][index(i)], position[1][index(i)]};
-  }
+  [[nodiscard]] bool fixed(std::size_t i) const { return inverse_mass[i] == 0; }
+  [[nodiscard]] Vec2 at(std::size_t i) const { return {position[0][i], position[1][i]}; }
   [[nodiscard]] Ball ball(std::size_t i) const;
   [[nodiscard]] std::vector<Ball> to_vector() const;
-
-  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 };
 
 }  // namespace carom

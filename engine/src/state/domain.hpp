@@ -19,7 +19,7 @@ struct Domain {
 
   Domain(const Box& box, bool walls) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const auto k = static_cast<Eigen::Index>(axis);
+      const auto k = axis;
       lower[axis] = box.lower()[k];
       upper[axis] = box.upper()[k];
       if (box.periodic[axis]) {
@@ -62,7 +62,7 @@ inline double nearest_image(double difference, double period) {
 
 /// From one wrapped place to another, the shorter way round every periodic axis.
 inline Vec2 nearest_image(Vec2 difference, const Domain& domain) {
-  for (Eigen::Index k = 0; k < 2; ++k) {
+  for (std::size_t k = 0; k < 2; ++k) {
     const double period = domain.period[static_cast<std::size_t>(k)];
     if (period > 0) difference[k] = nearest_image(difference[k], period);
   }

@@ -6,7 +6,7 @@ namespace carom {
 
 double kinetic_energy(const Balls& balls) {
   double sum = 0;
-  for (Eigen::Index i = 0; i < balls.radius.size(); ++i) {
+  for (std::size_t i = 0; i < balls.radius.size(); ++i) {
     const double vx = balls.velocity[0][i];
     const double vy = balls.velocity[1][i];
     sum += balls.mass[i] * (vx * vx + vy * vy) / 2;
@@ -16,7 +16,7 @@ double kinetic_energy(const Balls& balls) {
 
 double spin_energy(const Balls& balls) {
   double sum = 0;
-  for (Eigen::Index i = 0; i < balls.radius.size(); ++i) {
+  for (std::size_t i = 0; i < balls.radius.size(); ++i) {
     const double speed = balls.radius[i] * balls.spin[i];
     sum += balls.mass[i] * speed * speed / 4;
   }
@@ -27,13 +27,13 @@ double potential_energy(const Balls& balls, const Vec2& gravity, const Vec2& per
                         const Turns& turns) {
   double sum = 0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const auto k = static_cast<Eigen::Index>(axis);
+    const auto k = axis;
     if (gravity[k] == 0) continue;
     for (std::size_t i = 0; i < balls.size(); ++i) {
       if (balls.fixed(i)) continue;
       double x = balls.at(i)[k];
       if (!turns[axis].empty()) x += static_cast<double>(turns[axis][i]) * periods[k];
-      sum -= balls.mass[Balls::index(i)] * gravity[k] * x;
+      sum -= balls.mass[i] * gravity[k] * x;
     }
   }
   return sum;
@@ -42,7 +42,7 @@ double potential_energy(const Balls& balls, const Vec2& gravity, const Vec2& per
 Vec2 momentum(const Balls& balls) {
   Vec2 sum{0, 0};
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    const Eigen::Index k = Balls::index(i);
+    const std::size_t k = i;
     sum += balls.mass[k] * Vec2{balls.velocity[0][k], balls.velocity[1][k]};
   }
   return sum;
@@ -63,7 +63,7 @@ std::uint64_t mixed(std::uint64_t digest, double value) {
 
 std::string state_hash(const Balls& balls) {
   std::uint64_t digest = balls.size();
-  for (Eigen::Index i = 0; i < balls.radius.size(); ++i) {
+  for (std::size_t i = 0; i < balls.radius.size(); ++i) {
     for (const auto* columns : {&balls.position, &balls.velocity}) {
       for (const Balls::Column& column : *columns) digest = mixed(digest, column[i]);
     }

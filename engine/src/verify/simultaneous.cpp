@@ -36,7 +36,7 @@ double cradle_speeds(const Trial& trial) {
     const Outcome outcome = run(scene, kCradleEnd);
     double worst = 0;
     for (int i = 0; i < n; ++i) {
-      const Vec2 expected{i < n - strikers ? 0 : 1, 0};
+      const Vec2 expected{i < n - strikers ? 0.0 : 1.0, 0};
       const Vec2& found = outcome.balls[static_cast<std::size_t>(i)].velocity;
       worst = std::max(worst, (found - expected).norm());
     }

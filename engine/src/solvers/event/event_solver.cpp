@@ -99,7 +99,7 @@ std::vector<Ball> EventSolver::state() const {
     if (ball.fixed) continue;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       if (!domain_.solid(axis)) continue;
-      double& x = ball.position[static_cast<Eigen::Index>(axis)];
+      double& x = ball.position[axis];
       x = std::clamp(x, domain_.lowest(axis, ball.radius), domain_.highest(axis, ball.radius));
     }
   }

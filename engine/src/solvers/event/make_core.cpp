@@ -36,7 +36,7 @@ bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
   };
   return std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const double x = ball.position[static_cast<Eigen::Index>(axis)];
+      const double x = ball.position[axis];
       if (domain.solid(axis) && lies(ball, axis) &&
           (x == domain.lowest(axis, ball.radius) || x == domain.highest(axis, ball.radius))) {
         return true;

@@ -366,7 +366,7 @@ void TileCore<P>::collect_log() {
       std::swap(impact.a, impact.b);
       impact.position += impact.distance * impact.normal;
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        double& x = impact.position[static_cast<Eigen::Index>(axis)];
+        double& x = impact.position[axis];
         if (domain_.period[axis] > 0) x = domain_.wrapped(axis, x);
       }
       impact.normal = -impact.normal;

@@ -67,11 +67,11 @@ void IntegratedSolver::fly_block(const Stage& stage, std::size_t begin, std::siz
 double IntegratedSolver::acceleration(std::size_t axis, std::uint32_t i, double velocity,
                                       double pull) const {
   if (state_.balls.fixed(i)) return 0;
-  return pull + gravity_[Balls::index(axis)] - drag_rate_ * velocity;
+  return pull + gravity_[axis] - drag_rate_ * velocity;
 }
 
 Vec2 IntegratedSolver::acceleration(std::uint32_t i) const {
-  const Eigen::Index k = Balls::index(i);
+  const std::size_t k = i;
   const Balls& balls = state_.balls;
   return {acceleration(0, i, balls.velocity[0][k], balls.pull[0][k]),
           acceleration(1, i, balls.velocity[1][k], balls.pull[1][k])};
@@ -81,7 +81,7 @@ void IntegratedSolver::draw_paths(std::size_t begin, std::size_t end) {
   const Balls& balls = state_.balls;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Eigen::Index k = Balls::index(i);
+      const std::size_t k = i;
       const auto ball = static_cast<std::uint32_t>(i);
       const double v0 = start_velocity_[axis][k];
       const double v1 = balls.velocity[axis][k];

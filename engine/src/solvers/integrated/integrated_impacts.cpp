@@ -11,7 +11,7 @@ namespace carom {
 
 effects::Member IntegratedSolver::member(std::uint32_t i) const {
   const Balls& balls = state_.balls;
-  const Eigen::Index k = Balls::index(i);
+  const std::size_t k = i;
   effects::Member member;
   member.ball = i;
   member.position = member.start = balls.at(i);
@@ -26,9 +26,9 @@ effects::Member IntegratedSolver::member(std::uint32_t i) const {
 void IntegratedSolver::put_back(const effects::Member& member) {
   if (member.inverse_mass == 0) return;
   Balls& balls = state_.balls;
-  const Eigen::Index k = Balls::index(member.ball);
+  const std::size_t k = member.ball;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const Eigen::Index c = Balls::index(axis);
+    const std::size_t c = axis;
     balls.velocity[axis][k] = member.velocity[c];
     if (balls.position[axis][k] == member.position[c]) continue;
     balls.position[axis][k] = member.position[c];
@@ -133,7 +133,7 @@ void IntegratedSolver::strike_wall(const Meeting& meeting) {
   const std::uint32_t side = meeting.j - Meeting::kWall;
   const std::size_t axis = side / 2;
   const double outwards = side % 2 == 1 ? 1 : -1;
-  const Eigen::Index k = Balls::index(axis);
+  const std::size_t k = axis;
   effects::Member ball = member(meeting.i);
   ball.position[k] =
       outwards > 0 ? domain_.highest(axis, ball.radius) : domain_.lowest(axis, ball.radius);

@@ -25,14 +25,14 @@ bool IntegratedSolver::is_slow(const Meeting& meeting) const {
   if (meeting.with_wall()) {
     if (effects_.walls->restitution == 1) return false;
     const std::size_t axis = (meeting.j - Meeting::kWall) / 2;
-    const Eigen::Index k = Balls::index(meeting.i);
+    const std::size_t k = meeting.i;
     const double speed =
         std::max(std::abs(start_velocity_[axis][k]), std::abs(balls.velocity[axis][k]));
     return speed <= rest_speed(meeting.i, meeting.i);
   }
   if (effects_.collisions->restitution == 1) return false;
-  const Eigen::Index a = Balls::index(meeting.i);
-  const Eigen::Index b = Balls::index(meeting.j);
+  const std::size_t a = meeting.i;
+  const std::size_t b = meeting.j;
   double before = 0;
   double after = 0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -63,14 +63,14 @@ void IntegratedSolver::find_resting() {
     for (std::uint32_t side = 0; side < 4; ++side) {
       const std::size_t axis = side / 2;
       if (!domain_.solid(axis) || balls.fixed(i)) continue;
-      const Eigen::Index k = Balls::index(i);
+      const std::size_t k = i;
       const double radius = balls.radius[k];
       const double x = balls.position[axis][k];
       if (side % 2 == 1 ? x < domain_.highest(axis, radius) : x > domain_.lowest(axis, radius)) {
         continue;
       }
       const double outwards = side % 2 == 1 ? 1 : -1;
-      const double pull = outwards * acceleration(i)[Balls::index(axis)];
+      const double pull = outwards * acceleration(i)[axis];
       if (pull > 0 && std::abs(balls.velocity[axis][k]) <= rest_speed(i, i)) {
         resting_.push_back({0, i, Meeting::kWall + side});
       }
@@ -108,8 +108,8 @@ std::vector<IntegratedSolver::Meeting> IntegratedSolver::near_pairs(double withi
   const auto n = static_cast<std::uint32_t>(balls.size());
   for (std::uint32_t i = 0; i < n; ++i) {
     for (std::uint32_t j = i + 1; j < n; ++j) {
-      const Eigen::Index a = Balls::index(i);
-      const Eigen::Index b = Balls::index(j);
+      const std::size_t a = i;
+      const std::size_t b = j;
       const double far = (balls.radius[a] + balls.radius[b]) * within;
       double x = balls.position[0][b] - balls.position[0][a];
       if (domain_.period[0] > 0) x = nearest_image(x, domain_.period[0]);
@@ -126,7 +126,7 @@ bool IntegratedSolver::stop(const Meeting& meeting) {
     const std::uint32_t side = meeting.j - Meeting::kWall;
     const std::size_t axis = side / 2;
     const double outwards = side % 2 == 1 ? 1 : -1;
-    const Eigen::Index k = Balls::index(axis);
+    const std::size_t k = axis;
     const double wall =
         outwards > 0 ? domain_.highest(axis, a.radius) : domain_.lowest(axis, a.radius);
     const double pressing = outwards * a.velocity[k];
@@ -168,7 +168,7 @@ bool IntegratedSolver::put_inside(effects::Member& ball) const {
   const Vec2 from = ball.position;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (!domain_.solid(axis)) continue;
-    double& x = ball.position[Balls::index(axis)];
+    double& x = ball.position[axis];
     x = std::clamp(x, domain_.lowest(axis, ball.radius), domain_.highest(axis, ball.radius));
   }
   return ball.position != from;

@@ -39,7 +39,7 @@ void IntegratedSolver::search(Share share) {
 std::optional<double> IntegratedSolver::meet_wall(std::uint32_t i, std::uint32_t side) const {
   const std::size_t axis = side / 2;
   if (!domain_.solid(axis) || state_.balls.fixed(i)) return std::nullopt;
-  const Eigen::Index k = Balls::index(i);
+  const std::size_t k = i;
   const double radius = state_.balls.radius[k];
   const bool upper = side % 2 == 1;
   const double wall = upper ? domain_.highest(axis, radius) : domain_.lowest(axis, radius);
@@ -56,8 +56,8 @@ std::optional<double> IntegratedSolver::meet_wall(std::uint32_t i, std::uint32_t
 
 std::optional<double> IntegratedSolver::meet(std::uint32_t i, std::uint32_t j) const {
   const Balls& balls = state_.balls;
-  const Eigen::Index a = Balls::index(i);
-  const Eigen::Index b = Balls::index(j);
+  const std::size_t a = i;
+  const std::size_t b = j;
   const double reach = balls.radius[a] + balls.radius[b];
   std::array<double, 2> shift{};
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -81,7 +81,7 @@ std::optional<double> IntegratedSolver::meet(std::uint32_t i, std::uint32_t j) c
         acceleration(axis, j, v0[b], p0[b]) - acceleration(axis, i, v0[a], p0[a]),
         balls.position[axis][b] - balls.position[axis][a] + shift[axis], v1[b] - v1[a],
         acceleration(axis, j, v1[b], p1[b]) - acceleration(axis, i, v1[a], p1[a]));
-    velocity[Balls::index(axis)] = v0[b] - v0[a];
+    velocity[axis] = v0[b] - v0[a];
   }
   return first_contact(path[0], path[1], velocity, reach);
 }

@@ -129,7 +129,7 @@ std::size_t IntegratedSolver::begin_piece(double length) {
     if (s == Splitting::kStages) break;
     stage.step = Splitting::kFlight[s] * length;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const double along = gravity_[Balls::index(axis)];
+      const double along = gravity_[axis];
       stage.glide[axis] = Glide{stage.step};
       if (drag_rate_ > 0) {
         stage.glide[axis] = effects::slowed(drag_rate_, stage.step, along);
@@ -191,7 +191,7 @@ std::size_t IntegratedSolver::end_step() {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (domain_.period[axis] == 0) continue;
     for (std::size_t i = 0; i < balls(); ++i) {
-      double& x = state_.balls.position[axis][Balls::index(i)];
+      double& x = state_.balls.position[axis][i];
       const double image = domain_.wrapped(axis, x);
       if (image == x) continue;
       if (!state_.turns[axis].empty()) {
@@ -262,12 +262,12 @@ void IntegratedSolver::renew_rules() {
   gravity_ = effects_.gravity ? effects_.gravity->acceleration : Vec2{0, 0};
   drag_rate_ = effects_.drag ? effects_.drag->rate : 0;
   domain_ = Domain(box_, has_walls(effects_));
-  const Eigen::Index n = Balls::index(balls());
+  const std::size_t n = balls();
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (auto* columns : {&next_, &start_pull_, &low_, &high_}) {
-      (*columns)[axis] = Balls::Column::Zero(n);
+      (*columns)[axis] = Balls::Column(n, 0.0);
     }
-    if (gravity_[Balls::index(axis)] != 0 && domain_.period[axis] > 0) {
+    if (gravity_[axis] != 0 && domain_.period[axis] > 0) {
       state_.turns[axis].resize(balls(), 0);
     }
   }
