@@ -33,7 +33,8 @@ const AccuracyRow* nearest(const AccuracyStudy& study, Method method) {
   return best;
 }
 
-/// The run that is right for longest.  REQUIRES: one ran.
+/// The run that is right for longest.
+/// REQUIRES: one ran.
 const AccuracyRow& longest(const AccuracyStudy& study) {
   const AccuracyRow* best = nullptr;
   for (const AccuracyRow& row : study.rows) {

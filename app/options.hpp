@@ -77,7 +77,8 @@ struct Options {
   bool list = false;      ///< name the cases instead
 };
 
-/// Reads the arguments, without the program's name.  Errors: UsageError.
+/// Reads the arguments, without the program's name.
+/// Errors: UsageError.
 Options parse_options(const std::vector<std::string>& arguments);
 
 }  // namespace carom

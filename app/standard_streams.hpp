@@ -7,7 +7,8 @@ namespace carom {
 /// Makes sure that the three standard streams are open, so that no file of ours becomes one.
 void hold_standard_streams();
 
-/// Writes to standard output at once.  Errors: std::system_error.
+/// Writes to standard output at once.
+/// Errors: std::system_error.
 void print(const std::string& text);
 
 /// Writes to standard error; what cannot be written there cannot be said anywhere.

@@ -14,7 +14,8 @@ namespace carom {
 /// std::system_error as OutputFile.
 class Gnuplot {
  public:
-  /// An empty name is no drawing.  REQUIRES: else it ends in .svg or .png.
+  /// An empty name is no drawing.
+  /// REQUIRES: else it ends in .svg or .png.
   Gnuplot(const std::string& option, const std::string& file);
 
   void draw(const AccuracyStudy& study);

@@ -7,7 +7,8 @@
 
 namespace carom {
 
-/// The terminal, by curses.  REQUIRES: `terminal_problem()` is empty; one at a time.
+/// The terminal, by curses.
+/// REQUIRES: `terminal_problem()` is empty; one at a time.
 ///
 /// Holds: on destruction, however it comes about, the terminal is as it was found.
 /// Errors: std::runtime_error where the terminal cannot be used.

@@ -61,7 +61,8 @@ Known bouncing_ball(std::mt19937_64& engine) {
 }
 
 /// Equal balls in a line between walls: less their own lengths they are points that pass through
-/// each other.  Source: Jepsen, J. Math. Phys. 6 (1965) 405.
+/// each other.
+/// Source: Jepsen, J. Math. Phys. 6 (1965) 405.
 Known rods(std::mt19937_64& engine) {
   constexpr int kRods = 5;
   Known known;

@@ -46,8 +46,7 @@ const std::vector<Layer> kLayers{
     {"app/view/", {"carom/", "view/", "fmt/", "curses.h", "term.h"}},
     {"app/export/", {"carom/", "export/", "fmt/"}},
     {"app/help", {"help.hpp", "fmt/", "CLI/"}},
-    {"app/options.cpp",
-     {"carom/", "options.hpp", "option_table.hpp", "help.hpp", "fmt/", "CLI/"}},
+    {"app/options.cpp", {"carom/", "options.hpp", "option_table.hpp", "help.hpp", "fmt/", "CLI/"}},
 };
 
 /// What the engine's inside is called in includes, and what has its one place.

@@ -15,7 +15,8 @@ class Announcer {
  public:
   explicit Announcer(const AccuracyRequest& request) : request_(request) {}
 
-  /// `run` of `runs` is at hand, 0: none; `left`: wall-clock seconds, foreseen.  Errors: StopAsked.
+  /// `run` of `runs` is at hand, 0: none; `left`: wall-clock seconds, foreseen.
+  /// Errors: StopAsked.
   void tell(const std::string& what, std::size_t run, std::size_t runs, double left) {
     if (request_.stopped && request_.stopped()) throw StopAsked();
     if (!request_.progress) return;

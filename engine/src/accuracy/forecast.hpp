@@ -17,7 +17,8 @@ namespace carom::accuracy {
 /// that all steps have in common and a part for each step.
 class Forecast {
  public:
-  /// `limit`: of one run.  Errors: none; what cannot be run is foreseen to take no time.
+  /// `limit`: of one run.
+  /// Errors: none; what cannot be run is foreseen to take no time.
   Forecast(const Scenario& scenario, double limit);
 
   /// Both precisions of the reference had taken this long.

@@ -10,7 +10,8 @@ namespace carom::accuracy {
 using Places = std::vector<ExactPosition>;
 
 /// The largest distance of a ball between the two, the shorter way round periodic axes; infinite
-/// where a place is no number.  REQUIRES: as many balls.
+/// where a place is no number.
+/// REQUIRES: as many balls.
 double largest_distance(const Places& one, const Places& other, const Box& box);
 
 }  // namespace carom::accuracy

@@ -24,7 +24,8 @@ struct DampedFall {
     const auto d = damping(S(rate * t));
     return {multiply_add(S(a * t), d.fall, S(v * d.way)), (d.way - d.fall) * (a - rate * v)};
   }
-  /// When its velocity is zero; REQUIRES: v and a have opposite signs.
+  /// When its velocity is zero.
+  /// REQUIRES: v and a have opposite signs.
   S turn() const {
     const S without_drag = -v / a;
     return without_drag * log_1p_over(S(rate * without_drag));

@@ -64,7 +64,8 @@ template <class Real, class All, class Fused>
 
 #pragma GCC diagnostic pop
 
-/// Error: about 4 u of each of the three.  REQUIRES: x >= 0.
+/// Error: about 4 u of each of the three.
+/// REQUIRES: x >= 0.
 template <class S>
 Damping<S> damping(const S& x) {
   using std::exp;

@@ -35,7 +35,8 @@ S approach_speed(const Vec<S>& r, const Vec<S>& v) {
 template <class S>
 class Rub {
  public:
-  /// `gain`: the normal impulse, as the change of the approach speed it makes.  REQUIRES: one of
+  /// `gain`: the normal impulse, as the change of the approach speed it makes.
+  /// REQUIRES: one of
   /// the two can move.
   Rub(const Rubbing<S>& a, const Rubbing<S>& b, const Vec<S>& r, const S& gain,
       const S& coefficient)

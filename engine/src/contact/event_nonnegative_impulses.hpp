@@ -64,7 +64,8 @@ std::vector<S> stopping_impulses(const ContactGraph<S>& graph, const std::vector
 /// solution of the linear complementarity problem 0 <= impulse | parting + response >= 0. All
 /// wrong signs are changed at once, so no contact is favoured; should that not end (it may go
 /// round in circles), what is negative is left out, and the remaining approach shows in the
-/// parting speeds. Source: block principal pivoting, Portugal, Judice, Vicente, Math. Comput. 63
+/// parting speeds.
+/// Source: block principal pivoting, Portugal, Judice, Vicente, Math. Comput. 63
 /// (1994) 625.
 template <class S>
 std::vector<S> nonnegative_impulses(const ContactGraph<S>& graph, const std::vector<S>& parting,

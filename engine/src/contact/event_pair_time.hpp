@@ -31,7 +31,8 @@ S pair_discriminant(const Vec<S>& r, const Vec<S>& v, const S& s) {
 /// Error: 4 u of the time for balls that come from afar or from as near as 1e-9 s; 16 u / k where
 /// the impact parameter is within k of a miss.
 /// Range: s, |r| and |v| within 2^-220 .. 2^220 (or v zero): nothing over- or underflows that
-/// matters. Source: t = c / (-b + sqrt(v^2 s^2 - (r x v)^2)), b = r.v, c = r.r - s^2: the root of
+/// matters.
+/// Source: t = c / (-b + sqrt(v^2 s^2 - (r x v)^2)), b = r.v, c = r.r - s^2: the root of
 /// the quadratic in the form that cancels nothing, its discriminant in the form that keeps the
 /// digits of a distant pair.
 template <class S>

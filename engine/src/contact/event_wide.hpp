@@ -6,7 +6,8 @@ namespace carom::event {
 
 /// An unevaluated sum of two doubles, about 106 bits: enough to decide on which side of zero a
 /// value lies that double arithmetic cannot tell from zero. Sums and products commute, and change
-/// sign, to the last bit. Source: Dekker 1971; bounds by Joldes, Muller, Popescu, ACM TOMS 44
+/// sign, to the last bit.
+/// Source: Dekker 1971; bounds by Joldes, Muller, Popescu, ACM TOMS 44
 /// (2017) 15.
 struct DoubleDouble {
   double high;

@@ -9,7 +9,8 @@
 namespace carom {
 
 /// Polynomials on [0, 1] in Bernstein form: their coefficients bound them, the first and the last
-/// are their values at the ends, and halving the interval is a matter of means. Source: Farin,
+/// are their values at the ends, and halving the interval is a matter of means.
+/// Source: Farin,
 /// Curves and Surfaces for CAGD, chapters 4 to 6.
 template <std::size_t kDegree>
 using Bernstein = std::array<double, kDegree + 1>;

@@ -7,7 +7,8 @@
 
 namespace carom {
 
-/// The impacts that one worker notes.  Threads: that worker.
+/// The impacts that one worker notes.
+/// Threads: that worker.
 struct ImpactLog {
   bool wanted = false;
   double time = 0;  ///< of what is noted next

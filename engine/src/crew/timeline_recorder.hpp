@@ -21,7 +21,8 @@ class TimelineRing {
   TimelineRing() : entries_(std::make_unique<TimelineEntry[]>(kFewest)), capacity_(kFewest) {}
 
   /// Makes room for `frames` frames, each as long as the longest so far, but for no more than
-  /// `most` entries.  Allocates.  REQUIRES: no phase has begun.
+  /// `most` entries.  Allocates.
+  /// REQUIRES: no phase has begun.
   void begin_frame(std::size_t frames, std::size_t most);
   /// Adds an entry; the oldest goes where there is no room.
   void add(const TimelineEntry& entry) {

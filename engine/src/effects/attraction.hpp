@@ -11,7 +11,8 @@ namespace carom::effects {
 /// Across a periodic side the nearest image of a ball attracts.  Fixed balls attract and stay.
 ///
 /// The sum runs in ball order, and the term of a pair is the same to the last bit, but for its
-/// sign, from both sides: the result depends on neither the shares nor the lanes. Threads: reads
+/// sign, from both sides: the result depends on neither the shares nor the lanes.
+/// Threads: reads
 /// all balls, writes those of the share.
 void attract(Balls& balls, const Domain& domain, const Attraction& attraction, std::size_t begin,
              std::size_t end);

@@ -98,7 +98,8 @@ class WideNumber {
     mpfr_mul_2si(result.it(), a.it(), exponent, MPFR_RNDN);
     return result;
   }
-  /// The exponent e of |a| = m 2^e, 1 <= m < 2.  REQUIRES: not zero, finite.
+  /// The exponent e of |a| = m 2^e, 1 <= m < 2.
+  /// REQUIRES: not zero, finite.
   friend int ilogb(const WideNumber& a) { return static_cast<int>(mpfr_get_exp(a.it())) - 1; }
 
  private:

@@ -7,7 +7,8 @@ namespace carom::scene {
 
 namespace {
 
-/// Spreads the bits of neighbouring numbers.  Source: Steele, Lea, Flood 2014 (splitmix64).
+/// Spreads the bits of neighbouring numbers.
+/// Source: Steele, Lea, Flood 2014 (splitmix64).
 std::uint64_t mixed(std::uint64_t x) {
   x += 0x9E3779B97F4A7C15U;
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;

@@ -75,7 +75,8 @@ class Core {
   virtual void set(const Domain& domain, const Effects& effects, bool bends) = 0;
 
   // The present state.
-  /// Sets position, velocity and spin of the balls that move; REQUIRES: one for each ball.
+  /// Sets position, velocity and spin of the balls that move.
+  /// REQUIRES: one for each ball.
   virtual void look(std::vector<Ball>& balls) const = 0;
   [[nodiscard]] virtual std::vector<ExactPosition> exact_positions() const = 0;
   /// How often each ball has gone round the periodic axes that gravity pulls along.

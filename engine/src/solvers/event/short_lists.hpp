@@ -31,7 +31,8 @@ class ShortLists {
   }
 
   [[nodiscard]] const Node& first(std::uint32_t list) const { return nodes_[list]; }
-  /// The node after `node`; REQUIRES: it has one (`next` is not 0).
+  /// The node after `node`.
+  /// REQUIRES: it has one (`next` is not 0).
   [[nodiscard]] const Node& after(const Node& node) const { return nodes_[node.next]; }
 
   template <class Visit>

@@ -57,12 +57,14 @@ class Clock<double> {
   }
 
   [[nodiscard]] double seconds(Time ticks) const { return static_cast<double>(ticks) * tick_; }
-  /// Rounded down; never() where no flight lasts that long.  REQUIRES: not negative.
+  /// Rounded down; never() where no flight lasts that long.
+  /// REQUIRES: not negative.
   [[nodiscard]] Time ticks(double seconds) const {
     const double exact = seconds * per_second_;
     return exact < static_cast<double>(kLongestFlight) ? static_cast<Time>(exact) : kNever;
   }
-  /// Rounded down.  REQUIRES: not negative.
+  /// Rounded down.
+  /// REQUIRES: not negative.
   static Time whole(double ticks) { return static_cast<Time>(ticks); }
   [[nodiscard]] double tick() const { return tick_; }
   [[nodiscard]] double per_second() const { return per_second_; }

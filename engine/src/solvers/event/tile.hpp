@@ -67,7 +67,8 @@ struct Costs {
 ///
 /// Holds: for every pair, the earlier of the two balls' `meets` is not after their impact.
 /// Errors: std::runtime_error where impacts follow each other without time passing, or next to
-/// none. Source: B. Lubachevsky, How to simulate billiards and similar systems, J. Comput. Phys. 94
+/// none.
+/// Source: B. Lubachevsky, How to simulate billiards and similar systems, J. Comput. Phys. 94
 /// (1991) 255: one event a ball; A. Donev, S. Torquato, F. Stillinger, J. Comput. Phys. 202 (2005)
 /// 737: lists of neighbours that events renew.
 template <class P>

@@ -25,7 +25,8 @@ inline constexpr std::uint32_t kWords = 8;
 #endif
 }
 
-/// Whether the word is among `count` words; REQUIRES: what follows them up to a multiple of kWords
+/// Whether the word is among `count` words.
+/// REQUIRES: what follows them up to a multiple of kWords
 /// is there, and is another word.
 [[gnu::always_inline]] inline bool is_among(const std::uint32_t* words, std::uint32_t count,
                                             std::uint32_t word) {

@@ -11,7 +11,8 @@ namespace carom {
 ///
 /// Each step is eight of them.  There are splittings that reach the same error with half the sums
 /// (Blanes and Moan 2002); but of those the fourth order shows only at steps finer than anyone
-/// takes, and what is behind it changes its sign with the eccentricity of an orbit. Source: Suzuki,
+/// takes, and what is behind it changes its sign with the eccentricity of an orbit.
+/// Source: Suzuki,
 /// Fractal decomposition of exponential operators, Phys. Lett. A 146 (1990) 319.
 struct Splitting {
   static constexpr std::size_t kStages = 5;
