@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "carom/exact_position.hpp"
-#include "contact/event_exact_sum.hpp"
+#include "numbers/exact_sum.hpp"
 
 namespace carom {
 namespace {

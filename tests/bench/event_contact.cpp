@@ -9,10 +9,10 @@
 #include <cstring>
 #include <vector>
 
-#include "contact/event_impulse.hpp"
-#include "contact/event_pair_time.hpp"
-#include "contact/event_wall_time.hpp"
+#include "contact/pair_impact.hpp"
 #include "support/peg_truth.hpp"
+#include "trajectory/pair_time.hpp"
+#include "trajectory/wall_time.hpp"
 
 namespace {
 

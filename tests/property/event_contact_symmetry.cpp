@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "contact/event_flight.hpp"
-#include "contact/event_impulse.hpp"
-#include "contact/event_pair_time.hpp"
-#include "contact/event_wall_time.hpp"
+#include "contact/pair_impact.hpp"
+#include "trajectory/flight.hpp"
+#include "trajectory/pair_time.hpp"
+#include "trajectory/wall_time.hpp"
 
 namespace carom::event {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "contact/event_peg_time.hpp"
 #include "support/exact_number.hpp"
 #include "support/random_numbers.hpp"
+#include "trajectory/peg_time.hpp"
 
 namespace carom::test {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "contact/event_damped_law.hpp"
 #include "solvers/event/flight_lanes.hpp"
+#include "trajectory/damped_law.hpp"
 
 namespace carom::event {
 namespace {

@@ -4,10 +4,10 @@
 #include <numeric>
 #include <vector>
 
-#include "contact/event_joint_impact.hpp"
-#include "contact/event_pair_time.hpp"
+#include "contact/joint_impact.hpp"
 #include "support/exact_number.hpp"
 #include "support/random_numbers.hpp"
+#include "trajectory/pair_time.hpp"
 
 namespace carom::event {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "contact/event_flight.hpp"
-#include "contact/event_impulse.hpp"
-#include "contact/event_pair_time.hpp"
+#include "contact/pair_impact.hpp"
 #include "support/exact_number.hpp"
 #include "support/random_numbers.hpp"
+#include "trajectory/flight.hpp"
+#include "trajectory/pair_time.hpp"
 
 namespace carom::event {
 namespace {

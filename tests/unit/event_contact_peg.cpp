@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "contact/event_flight.hpp"
-#include "contact/event_peg_time.hpp"
 #include "support/peg_truth.hpp"
+#include "trajectory/flight.hpp"
+#include "trajectory/peg_time.hpp"
 
 namespace carom::event {
 namespace {

@@ -5,13 +5,13 @@
 #include <limits>
 #include <vector>
 
-#include "contact/event_crowd.hpp"
-#include "contact/event_impulse.hpp"
-#include "contact/event_pair_time.hpp"
-#include "contact/event_peg_time.hpp"
-#include "contact/event_rest.hpp"
-#include "contact/event_wall_time.hpp"
+#include "contact/crowd.hpp"
+#include "contact/pair_impact.hpp"
+#include "contact/rest_rules.hpp"
 #include "support/random_numbers.hpp"
+#include "trajectory/pair_time.hpp"
+#include "trajectory/peg_time.hpp"
+#include "trajectory/wall_time.hpp"
 
 namespace carom::event {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "contact/event_impulse.hpp"
-#include "contact/event_wall_time.hpp"
+#include "contact/pair_impact.hpp"
 #include "support/exact_number.hpp"
 #include "support/random_numbers.hpp"
+#include "trajectory/wall_time.hpp"
 
 namespace carom::event {
 namespace {

@@ -1,12 +1,12 @@
-#include "contact/event_exit.hpp"
+#include "trajectory/exit_bound.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "contact/event_damped_law.hpp"
 #include "solvers/event/exit_lanes.hpp"
+#include "trajectory/damped_law.hpp"
 
 namespace carom::event {
 namespace {

@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "contact/event_pair_time.hpp"
 #include "solvers/event/pair_lanes.hpp"
+#include "trajectory/pair_time.hpp"
 
 namespace carom::event {
 namespace {

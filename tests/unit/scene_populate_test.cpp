@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "carom/scene_file.hpp"
-#include "scene/random.hpp"
+#include "fill/random.hpp"
 
 namespace carom {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "scene/disk_grid.hpp"
+#include "fill/disk_grid.hpp"
 #include "scene/judge.hpp"
 #include "scene/limits.hpp"
 

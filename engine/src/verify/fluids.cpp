@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/random.hpp"
+#include "fill/random.hpp"
 #include "verify/cases.hpp"
 #include "verify/runs.hpp"
 #include "verify/transform.hpp"

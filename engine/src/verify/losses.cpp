@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "scene/random.hpp"
+#include "fill/random.hpp"
 #include "verify/cases.hpp"
 #include "verify/runs.hpp"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "carom/scene_file.hpp"
-#include "scene/random.hpp"
+#include "fill/random.hpp"
 #include "verify/cases.hpp"
 #include "verify/runs.hpp"
 #include "verify/transform.hpp"

@@ -3,7 +3,7 @@
 #include <numeric>
 #include <utility>
 
-#include "scene/random.hpp"
+#include "fill/random.hpp"
 
 namespace carom::hard {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "contact/event_exit.hpp"
 #include "solvers/event/lanes.hpp"
+#include "trajectory/exit_bound.hpp"
 
 namespace carom::event {
 

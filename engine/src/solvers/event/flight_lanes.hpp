@@ -1,8 +1,8 @@
 #pragma once
 
-#include "contact/event_damped_law.hpp"
-#include "contact/event_flight.hpp"
 #include "solvers/event/lanes.hpp"
+#include "trajectory/damped_law.hpp"
+#include "trajectory/flight.hpp"
 
 namespace carom::event {
 

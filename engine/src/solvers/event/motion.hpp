@@ -4,9 +4,9 @@
 #include <array>
 #include <type_traits>
 
-#include "contact/event_friction.hpp"
-#include "contact/event_impulse.hpp"
-#include "contact/event_scalar.hpp"
+#include "contact/pair_friction.hpp"
+#include "contact/pair_impact.hpp"
+#include "numbers/scalar.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/lanes.hpp"
 #include "solvers/event/physics.hpp"

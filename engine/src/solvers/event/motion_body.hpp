@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/event_exit.hpp"
-#include "contact/event_impulse.hpp"
-#include "contact/event_pair_time.hpp"
-#include "contact/event_rest.hpp"
+#include "contact/pair_impact.hpp"
+#include "contact/rest_rules.hpp"
 #include "solvers/event/lanes.hpp"
 #include "solvers/event/motion.hpp"
+#include "trajectory/exit_bound.hpp"
+#include "trajectory/pair_time.hpp"
 
 namespace carom::event {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/event_pair_time.hpp"
-#include "contact/event_peg_time.hpp"
-#include "contact/event_rest.hpp"
+#include "contact/rest_rules.hpp"
 #include "solvers/event/motion.hpp"
+#include "trajectory/pair_time.hpp"
+#include "trajectory/peg_time.hpp"
 
 namespace carom::event {
 

@@ -13,7 +13,7 @@ namespace carom::event {
   return (p + q) + (fused(a, b, -p) + fused(c, d, -q));
 }
 
-/// pair_time() of contact/event_pair_time.hpp for four pairs side by side, with the same bits:
+/// pair_time() of trajectory/pair_time.hpp for four pairs side by side, with the same bits:
 /// seconds until disks at (dx, dy) from each other and moving at (vx, vy) to each other come within
 /// `reach`, infinite where they never do.  A lane that is not wanted may hold anything finite.
 [[gnu::always_inline]] inline Lanes pair_times(Lanes dx, Lanes dy, Lanes vx, Lanes vy,

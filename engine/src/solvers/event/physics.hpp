@@ -1,10 +1,10 @@
 #pragma once
 
-#include "contact/event_damped_law.hpp"
-#include "contact/event_flight.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/rules.hpp"
 #include "solvers/event/ticks.hpp"
+#include "trajectory/damped_law.hpp"
+#include "trajectory/flight.hpp"
 
 namespace carom::event {
 

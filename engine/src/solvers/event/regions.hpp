@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "contact/event_scalar.hpp"
+#include "numbers/scalar.hpp"
 #include "solvers/event/plot.hpp"
 #include "state/domain.hpp"
 

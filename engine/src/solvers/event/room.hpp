@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "contact/event_scalar.hpp"
+#include "numbers/scalar.hpp"
 #include "state/domain.hpp"
 
 namespace carom::event {

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "contact/crowd.hpp"
 #include "contact/dissipation.hpp"
-#include "contact/event_crowd.hpp"
-#include "contact/event_joint_impact.hpp"
 #include "contact/impact_log.hpp"
+#include "contact/joint_impact.hpp"
 #include "solvers/event/agenda.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/huge_pages.hpp"

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "contact/event_crowd.hpp"
-#include "contact/event_exact_sum.hpp"
-#include "contact/event_rest.hpp"
+#include "contact/crowd.hpp"
+#include "contact/rest_rules.hpp"
+#include "numbers/exact_sum.hpp"
 #include "solvers/event/tile.hpp"
 #include "state/stopwatch.hpp"
 

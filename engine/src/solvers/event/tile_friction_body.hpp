@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "contact/event_exact_sum.hpp"
-#include "contact/event_friction.hpp"
-#include "contact/event_joint_impact.hpp"
+#include "contact/joint_impact.hpp"
+#include "contact/pair_friction.hpp"
+#include "numbers/exact_sum.hpp"
 #include "solvers/event/tile.hpp"
 
 namespace carom::event {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/event_joint_impact.hpp"
-#include "contact/event_rest.hpp"
+#include "contact/joint_impact.hpp"
+#include "contact/rest_rules.hpp"
 #include "solvers/event/tile.hpp"
 
 namespace carom::event {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "contact/event_rest.hpp"
+#include "contact/rest_rules.hpp"
 #include "solvers/event/tile.hpp"
 
 namespace carom::event {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "contact/event_any_law.hpp"
 #include "solvers/event/physics.hpp"
 #include "solvers/event/wide_clock.hpp"
+#include "trajectory/any_law.hpp"
 
 namespace carom::event {
 

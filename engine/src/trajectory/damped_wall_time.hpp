@@ -1,8 +1,8 @@
 #pragma once
 
-#include "contact/event_damping.hpp"
-#include "contact/event_monotone_root.hpp"
-#include "contact/event_wall_time.hpp"
+#include "numbers/monotone_root.hpp"
+#include "trajectory/damping.hpp"
+#include "trajectory/wall_time.hpp"
 
 namespace carom::event {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "contact/event_exact_sum.hpp"
-#include "contact/event_scalar.hpp"
+#include "numbers/exact_sum.hpp"
+#include "numbers/scalar.hpp"
 
 namespace carom::event {
 

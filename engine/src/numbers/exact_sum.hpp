@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "contact/event_scalar.hpp"
+#include "numbers/scalar.hpp"
 
 namespace carom::event {
 

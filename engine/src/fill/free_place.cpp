@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/disk_grid.hpp"
-#include "scene/random.hpp"
+#include "fill/disk_grid.hpp"
+#include "fill/random.hpp"
 
 namespace carom {
 

@@ -7,9 +7,9 @@
 
 #include "carom/scene.hpp"
 #include "carom/scene_file.hpp"
-#include "scene/disk_grid.hpp"
-#include "scene/lattice.hpp"
-#include "scene/random.hpp"
+#include "fill/disk_grid.hpp"
+#include "fill/lattice.hpp"
+#include "fill/random.hpp"
 
 namespace carom {
 

@@ -1,4 +1,4 @@
-#include "scene/lattice.hpp"
+#include "fill/lattice.hpp"
 
 #include <algorithm>
 #include <cmath>

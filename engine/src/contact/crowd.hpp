@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "contact/event_contact_graph.hpp"
+#include "contact/contact_graph.hpp"
 
 namespace carom::event {
 

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "contact/event_damped_law.hpp"
-#include "contact/event_flight.hpp"
+#include "trajectory/damped_law.hpp"
+#include "trajectory/flight.hpp"
 
 namespace carom::event {
 

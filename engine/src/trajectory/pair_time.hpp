@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/event_scalar.hpp"
+#include "numbers/scalar.hpp"
 
 namespace carom::event {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/event_scalar.hpp"
+#include "numbers/scalar.hpp"
 
 namespace carom::event {
 

@@ -1,4 +1,4 @@
-#include "scene/disk_grid.hpp"
+#include "fill/disk_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/event_scalar.hpp"
+#include "numbers/scalar.hpp"
 
 namespace carom::event {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "contact/event_friction.hpp"
-#include "contact/event_impulse.hpp"
-#include "contact/event_nonnegative_impulses.hpp"
+#include "contact/nonnegative_impulses.hpp"
+#include "contact/pair_friction.hpp"
+#include "contact/pair_impact.hpp"
 
 namespace carom::event {
 

@@ -1,4 +1,4 @@
-#include "scene/random.hpp"
+#include "fill/random.hpp"
 
 #include <cmath>
 #include <numbers>

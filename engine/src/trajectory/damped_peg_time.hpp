@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "contact/event_damping.hpp"
-#include "contact/event_monotone_root.hpp"
-#include "contact/event_pair_time.hpp"
+#include "numbers/monotone_root.hpp"
+#include "trajectory/damping.hpp"
+#include "trajectory/pair_time.hpp"
 
 namespace carom::event {
 

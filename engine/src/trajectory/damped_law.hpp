@@ -2,10 +2,10 @@
 
 #include <cstddef>
 
-#include "contact/event_damped_peg_time.hpp"
-#include "contact/event_damped_wall_time.hpp"
-#include "contact/event_damping.hpp"
-#include "contact/event_flight.hpp"
+#include "trajectory/damped_peg_time.hpp"
+#include "trajectory/damped_wall_time.hpp"
+#include "trajectory/damping.hpp"
+#include "trajectory/flight.hpp"
 
 namespace carom::event {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "contact/event_contact_graph.hpp"
+#include "contact/contact_graph.hpp"
 
 namespace carom::event {
 

@@ -2,10 +2,10 @@
 
 #include <cstddef>
 
-#include "contact/event_pair_time.hpp"
-#include "contact/event_peg_time.hpp"
-#include "contact/event_scalar.hpp"
-#include "contact/event_wall_time.hpp"
+#include "numbers/scalar.hpp"
+#include "trajectory/pair_time.hpp"
+#include "trajectory/peg_time.hpp"
+#include "trajectory/wall_time.hpp"
 
 namespace carom::event {
 
@@ -111,7 +111,7 @@ struct Relative {
 /// displacement is, which is exact for balls near each other.
 ///
 /// From here on two balls under the same law move straight relative to each other: under uniform
-/// acceleration in the time, under drag in the s of event_damped_law.hpp, which when() turns into
+/// acceleration in the time, under drag in the s of damped_law.hpp, which when() turns into
 /// time.
 template <class S>
 Relative<S> relative_at_later_start(const BallisticLaw<S>& law, const Flight<S>& earlier,

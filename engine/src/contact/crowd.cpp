@@ -1,10 +1,10 @@
-#include "contact/event_crowd.hpp"
+#include "contact/crowd.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "contact/event_orderless_sum.hpp"
+#include "numbers/orderless_sum.hpp"
 
 // How lanes are passed depends on the processor's registers; they never leave this file.
 #pragma GCC diagnostic ignored "-Wpsabi"

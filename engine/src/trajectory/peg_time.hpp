@@ -1,8 +1,8 @@
 #pragma once
 
-#include "contact/event_monotone_root.hpp"
-#include "contact/event_pair_time.hpp"
-#include "contact/event_wide.hpp"
+#include "numbers/double_double.hpp"
+#include "numbers/monotone_root.hpp"
+#include "trajectory/pair_time.hpp"
 
 namespace carom::event {
 
@@ -127,7 +127,7 @@ S gap_root(const Parabola<S>& path, const S& low, const S& high) {
 /// from it. from_contact: this flight began with an impact of the two.
 ///
 /// Holds: overlapping or touching and approaching is now (also approaching only by its
-/// acceleration: the case of event_rest.hpp); a ball that is still inside when it turns back is
+/// acceleration: the case of rest_rules.hpp); a ball that is still inside when it turns back is
 /// hit when it turns. No root is missed: the cubic r.v is monotone between the roots of its
 /// derivative (a quadratic), so each of its own roots is bracketed; the quartic is monotone
 /// between those, so its roots are, too; signs are taken in twice the digits, where a miss or a
