@@ -14,6 +14,7 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${FOLDER}/installed)
 
 file(GLOB_RECURSE installed RELATIVE ${FOLDER}/installed ${FOLDER}/installed/*)
 foreach(expected bin/carom share/man/man1/carom.1 share/man/man5/carom-scene.5 share/man/man7/carom-models.7
+    share/man/man7/carom-algorithms.7
     share/carom/scenes/break.json share/carom/scenes/scene.schema.json include/carom/simulation.hpp)
   if(NOT expected IN_LIST installed)
     message(FATAL_ERROR "${expected} is not installed; there is\n${installed}")
