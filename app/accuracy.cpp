@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <string>
 #include <utility>
 
+#include "accuracy_averages.hpp"
 #include "accuracy_plot.hpp"
 #include "accuracy_table.hpp"
 #include "accuracy_words.hpp"
@@ -32,6 +34,12 @@ AccuracyRequest request_of(const Options& options) {
   request.target = options.target;
   request.share = options.share;
   request.seeds = options.seeds;
+  for (const Observable each : kObservables) {
+    const auto& names = options.observables;
+    if (std::find(names.begin(), names.end(), observable_name(each)) != names.end()) {
+      request.observables.push_back(each);
+    }
+  }
   for (const std::string& crew : options.crews) {
     const bool per_ball = crew == "per-ball";
     request.crews.push_back({per_ball, per_ball ? 1 : std::stoull(crew)});
@@ -40,7 +48,8 @@ AccuracyRequest request_of(const Options& options) {
 }
 
 std::string in_words(const AccuracyStudy& study) {
-  return to_table(study) + '\n' + to_plot(study) + '\n' + to_sentences(study);
+  return to_table(study) + to_average_table(study) + '\n' + to_plot(study) + '\n' +
+         to_sentences(study) + to_average_sentences(study);
 }
 
 constexpr int kStopped = 128 + SIGINT;  // exit status, as shells have it
@@ -102,6 +111,17 @@ int accuracy(const Options& options) {
   if (options.time.value_or(scene.duration) > kMostSeconds) {
     throw UsageError(fmt::format("--time: must be at most {:.3g}, got {:.3g}", kMostSeconds,
                                  options.time.value_or(scene.duration)));
+  }
+  if (!options.observables.empty() && comes_to_rest(scene)) {
+    throw UsageError(
+        "--observable: losses under gravity bring the scene to rest, and its averages end with it; "
+        "without --observable its rest is judged");
+  }
+  for (const std::string& name : options.observables) {
+    if ((name == "collision_rate" || name == "mean_free_path") && !scene.effects.collisions) {
+      throw UsageError(fmt::format(
+          "--observable {}: the scene has no collisions; add them to its effects", name));
+    }
   }
   // Opened before anything runs: what cannot be written is found now.
   unfinished_files::remove_on_signals();

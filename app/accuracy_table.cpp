@@ -80,6 +80,9 @@ std::string reference_text(const AccuracyStudy& study) {
                           : fmt::format("{} starts, seeds {} to {}", study.starts, study.seed,
                                         study.seed + study.starts - 1));
   }
+  if (!reference.absent.empty()) {
+    return fmt::format("{}; only averages are compared\n", reference.absent);
+  }
   std::string text = fmt::format("reference: {} ", method_name(reference.method));
   std::string checked;
   if (reference.step) {
@@ -179,7 +182,7 @@ std::string to_table(const AccuracyStudy& study) {
                         row.per_ball ? ", one per ball" : "");
   }
   text += '\n' + reference_text(study);
-  if (!study.reference.equilibrium) {
+  if (!study.reference.equilibrium && study.reference.absent.empty()) {
     text += fmt::format("collisions of the reference{}: {} of balls, {} with walls\n\n",
                         study.reference.holds_until ? " until then" : "", study.reference.ball_ball,
                         study.reference.ball_wall);

@@ -240,6 +240,7 @@ std::string solver_lines(const AccuracyRow& row) {
 
 std::string to_sentences(const AccuracyStudy& study) {
   std::string text;
+  if (!study.reference.absent.empty()) return crew_text(study);
   if (study.reference.equilibrium) {
     text += by_rest(study);
   } else if (study.judged_by_horizon()) {

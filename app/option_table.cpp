@@ -110,10 +110,11 @@ std::vector<OptionRow> make_options() {
        false},
       {play, "--no-mouse", "", "leave the mouse to the terminal", flag(&Options::no_mouse), false},
       {accuracy, "--seeds", "K",
-       "starts of a scene that comes to rest, each row their median; default: 8",
+       "starts of a scene that comes to rest, or that is averaged; default: 8",
        whole_number(&Options::seeds, 1, 1000)},
-      {accuracy, "--observable", "NAME", "a mean to compare; may be repeated",
-       texts(&Options::observables), false},
+      {accuracy, "--observable", "NAME", "an average to compare; may be repeated",
+       choices(&Options::observables,
+               {"Z", "pressure", "temperature", "collision_rate", "mean_free_path"})},
   };
   rows.erase(
       std::remove_if(rows.begin(), rows.end(), [](const OptionRow& row) { return !row.ready; }),

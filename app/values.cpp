@@ -138,6 +138,14 @@ Rule choice(std::string Options::*member, std::vector<std::string> words) {
               [=](Options& options, std::size_t i) { options.*member = list[i]; });
 }
 
+Rule choices(std::vector<std::string> Options::*member, std::vector<std::string> words) {
+  const std::vector<std::string> list = words;
+  Rule rule = word(std::move(words),
+                   [=](Options& options, std::size_t i) { (options.*member).push_back(list[i]); });
+  rule.repeats = true;
+  return rule;
+}
+
 Rule whole_number(std::uint64_t Options::*member, std::uint64_t least, std::uint64_t most) {
   return whole(member, least, most);
 }

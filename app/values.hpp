@@ -19,6 +19,8 @@ Rule text(std::string Options::*member);
 Rule texts(std::vector<std::string> Options::*member);
 /// One of some words.
 Rule choice(std::string Options::*member, std::vector<std::string> words);
+/// One of some words, each time that the option is given.
+Rule choices(std::vector<std::string> Options::*member, std::vector<std::string> words);
 
 Rule whole_number(std::uint64_t Options::*member, std::uint64_t least,
                   std::uint64_t most = kAnyWholeNumber);

@@ -47,6 +47,29 @@ std::string rest_fields(const AccuracyStudy& study, const AccuracyRow& row) {
   return text;
 }
 
+std::string average_names(const AccuracyStudy& study) {
+  std::string text;
+  for (const Observable each : study.observables) {
+    text += fmt::format(",{0},{0}_standard_error,{0}_difference", observable_name(each));
+  }
+  return text;
+}
+
+std::string average_fields(const AccuracyStudy& study, const AccuracyRow& row) {
+  std::string text;
+  for (std::size_t i = 0; i < study.observables.size(); ++i) {
+    const bool known = i < row.averages.size() && row.averages[i];
+    if (!known) {
+      text += ",,,";
+      continue;
+    }
+    const MeanAndError& mean = *row.averages[i];
+    text += fmt::format(",{},{},", mean.mean, or_empty(mean.standard_error));
+    if (study.averages[i]) text += fmt::format("{}", mean.mean - study.averages[i]->mean);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string to_csv(const AccuracyStudy& study) {
@@ -58,7 +81,7 @@ std::string to_csv(const AccuracyStudy& study) {
       "horizon,horizon_resolution,failed,scene,time,seed,reference_digits,true_ball_ball,"
       "true_ball_wall,version,compiler,processor,cores,system";
   if (reference.equilibrium) text += kRestNames;
-  text += '\n';
+  text += average_names(study) + '\n';
   for (const AccuracyRow& row : study.rows) {
     const bool lost = row.failure.empty() && row.horizon;
     text += fmt::format(
@@ -69,7 +92,7 @@ std::string to_csv(const AccuracyStudy& study) {
         reference.ball_wall, version(), quoted(study.machine.compiler),
         quoted(study.machine.processor), study.machine.cores, quoted(study.machine.system));
     if (reference.equilibrium) text += rest_fields(study, row);
-    text += '\n';
+    text += average_fields(study, row) + '\n';
   }
   return text;
 }

@@ -27,7 +27,7 @@ std::string SeriesText::header() {
 
 std::string SeriesText::line(const FrameRecord& record) {
   const Measurements& m = record.measured;
-  const Fluid fluid = meter_.measure(record);
+  const Fluid fluid = meter_.measure(record.time, record.balls, record.impacts);
   const double kinetic = potential_ ? fluid.kinetic : m.energy_final;
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", record.frame,
                      record.time, record.balls.size(), kinetic, m.energy_final - kinetic,

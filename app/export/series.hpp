@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "export/fluid.hpp"
+#include "carom/fluid.hpp"
 #include "export/frame_record.hpp"
 
 namespace carom {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "accuracy/rest_study.hpp"
 #include "accuracy_table.hpp"
 #include "accuracy_words.hpp"
 #include "carom/accuracy.hpp"
@@ -71,14 +70,14 @@ TEST(RestStudy, WhatNeverRestsHasNoTime) {
 
 TEST(RestStudy, OnlyLossesUnderGravityLeadToRest) {
   Scene scene = dropped();
-  EXPECT_TRUE(accuracy::comes_to_rest(scene));
+  EXPECT_TRUE(comes_to_rest(scene));
   scene.effects.walls->restitution = 1;
-  EXPECT_FALSE(accuracy::comes_to_rest(scene));
+  EXPECT_FALSE(comes_to_rest(scene));
   scene = dropped();
   scene.effects.gravity.reset();
-  EXPECT_FALSE(accuracy::comes_to_rest(scene));
+  EXPECT_FALSE(comes_to_rest(scene));
   scene.effects.gravity = Gravity{{0, 0}};
-  EXPECT_FALSE(accuracy::comes_to_rest(scene));
+  EXPECT_FALSE(comes_to_rest(scene));
 }
 
 /// One row of each method, made up.

@@ -22,6 +22,15 @@ struct AccuracyCrew {
 
 struct AccuracyRow;
 
+/// What chaos leaves to be known: averages, which every run can get right.
+enum class Observable { Z, pressure, temperature, collision_rate, mean_free_path };
+
+/// As scenes and options name it.
+const char* observable_name(Observable observable);
+inline constexpr std::array kObservables{Observable::Z, Observable::pressure,
+                                         Observable::temperature, Observable::collision_rate,
+                                         Observable::mean_free_path};
+
 /// How far a study is.
 struct AccuracyProgress {
   std::size_t run = 0;   ///< the run at hand, from 1; 0: the reference, or what follows the runs
@@ -38,8 +47,11 @@ struct AccuracyRequest {
   /// The first computes every row, the others those of one run.  Empty: as the scene says, else one
   /// worker.
   std::vector<AccuracyCrew> crews;
-  std::size_t seeds = 8;  ///< starts of a scene that comes to rest, from its seed on
-  double share = 2;       ///< time limit of one run, wall-clock seconds
+  /// Starts of a scene that comes to rest, and of runs that are averaged, from its seed on.
+  std::size_t seeds = 8;
+  /// Averages to compare; none of a scene that comes to rest, where they tend to 0.
+  std::vector<Observable> observables;
+  double share = 2;  ///< time limit of one run, wall-clock seconds
   /// Called now and then, by the thread that asked for the study.
   std::function<void(const AccuracyProgress&)> progress;
   /// Called when a row is done; its horizon may still become sharper.
@@ -52,6 +64,12 @@ struct AccuracyRequest {
 struct MedianAndSpread {
   double median = 0;
   double spread = 0;  ///< the range of the middle half
+};
+
+/// A mean over several starts.
+struct MeanAndError {
+  double mean = 0;
+  std::optional<double> standard_error;  ///< absent: there is one start
 };
 
 /// How a run from several starts came to rest.
@@ -99,12 +117,17 @@ struct AccuracyRow {
   /// Where the scene comes to rest; the errors and the horizon are then absent, and the other
   /// figures are medians over the starts.
   std::optional<AccuracyRest> rest;
+  /// As the study's `observables`, over its starts; empty: none were asked for, or the runs would
+  /// take too long.
+  std::vector<std::optional<MeanAndError>> averages;
 };
 
 /// The run that the others are held against.
 struct AccuracyReference {
   /// There is none: the scene comes to rest, and its ends are held against static equilibrium.
   bool equilibrium = false;
+  /// There is none, and this is why: only averages are compared.  Empty: there is one.
+  std::string absent;
   Method method = Method::event;
   int digits = 0;
   std::optional<double> step;          ///< seconds; absent: it takes none
@@ -130,6 +153,10 @@ struct AccuracyStudy {
   Machine machine;
   AccuracyReference reference;
   std::vector<AccuracyRow> rows;
+  std::vector<Observable> observables;
+  /// As the observables: the means of the reference, which is method event from starts of its own.
+  std::vector<std::optional<MeanAndError>> averages;
+  std::size_t average_starts = 0;  ///< of the reference's means
   /// Why the sequence of steps ends where it does; empty: at its shortest step.
   std::string ladder_end;
   std::size_t runs = 0;  ///< that were planned, without those that the time limit left out
@@ -150,6 +177,10 @@ struct AccuracyStudy {
   /// A row's price.
   [[nodiscard]] double seconds_per_simulated_second(const AccuracyRow& row) const;
 };
+
+/// Whether losses under gravity bring the balls to rest, so that the end is an equilibrium and
+/// there is no exact trajectory to compare with.
+bool comes_to_rest(const Scene& scene);
 
 /// There is nothing to hold the runs against; `what()` says why and what would help, in one line.
 class NoReference : public std::runtime_error {

@@ -54,7 +54,7 @@ std::optional<Loss> assess(AccuracyRow& row, const Scenario& scenario, const Sam
     runner.advance_to(samples.time(sample));
     (void)compare(sample);
   }
-  if (!loss || !truth.reference.holds_until) {
+  if (truth.known() > 0 && (!loss || !truth.reference.holds_until)) {
     runner.advance_to(samples.time(truth.known()));
     const double apart = compare(truth.known());
     if (!truth.reference.holds_until) row.position_error = apart;

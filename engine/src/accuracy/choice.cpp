@@ -34,12 +34,22 @@ bool meets(const AccuracyRow& row, double target) {
 
 }  // namespace
 
+bool comes_to_rest(const Scene& scene) {
+  return scene.effects.gravity && scene.effects.gravity->acceleration.squaredNorm() > 0 &&
+         loses_energy(scene) && !scene.effects.attraction;
+}
+
+const char* observable_name(Observable observable) {
+  constexpr std::array kNames{"Z", "pressure", "temperature", "collision_rate", "mean_free_path"};
+  return kNames.at(static_cast<std::size_t>(observable));
+}
+
 double AccuracyStudy::rest_error(const AccuracyRow& row) {
   return row.rest ? std::max(row.rest->equilibrium_residual.median, row.max_overlap) : 0;
 }
 
 bool AccuracyStudy::judged_by_horizon() const {
-  if (reference.equilibrium) return false;
+  if (reference.equilibrium || !reference.absent.empty()) return false;
   bool any = false;
   for (const AccuracyRow& row : rows) {
     if (!row.failure.empty()) continue;

@@ -205,11 +205,6 @@ class RestStudy {
 
 }  // namespace
 
-bool comes_to_rest(const Scene& scene) {
-  return scene.effects.gravity && scene.effects.gravity->acceleration.squaredNorm() > 0 &&
-         loses_energy(scene) && !scene.effects.attraction;
-}
-
 AccuracyStudy study_rest(const Scene& scene, const AccuracyRequest& request) {
   return RestStudy(scene, request).run();
 }

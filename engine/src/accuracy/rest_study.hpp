@@ -5,10 +5,6 @@
 
 namespace carom::accuracy {
 
-/// Whether losses under gravity bring the balls to rest, so that the end is an equilibrium and
-/// there is no exact trajectory to compare with.
-bool comes_to_rest(const Scene& scene);
-
 /// Runs the scene from several starts in every way that can take it, and asks of each end how far
 /// it is from an equilibrium, how much still moves, and what contacts cost in overlap. Errors:
 /// SceneError where a fill finds no room; a run that fails is a row that says so.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "accuracy/scenario.hpp"
 #include "carom/accuracy.hpp"
@@ -30,6 +31,10 @@ class Runner {
   /// Moves on to `time`, obeying the commands on its way; not before the present time.
   void advance_to(double time);
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
+  /// Notes impacts from now on.
+  void record_impacts() { simulation_.record_impacts(true); }
+  /// Those since it was asked last.
+  [[nodiscard]] std::vector<Impact> take_impacts() { return simulation_.take_impacts(); }
 
  private:
   const Scenario& scenario_;

@@ -7,6 +7,7 @@
 
 #include "accuracy/announcer.hpp"
 #include "accuracy/assess.hpp"
+#include "accuracy/averages.hpp"
 #include "accuracy/forecast.hpp"
 #include "accuracy/rest_study.hpp"
 #include "accuracy/scenario.hpp"
@@ -25,6 +26,8 @@ constexpr double kReferenceLimits = 15;                   // that the reference 
 constexpr std::size_t kMostBytes = std::size_t{1} << 28;  // of the reference's positions
 constexpr std::size_t kBytesOfBall = 256;  // with 100 digits, and what keeping them takes
 constexpr double kRefined = 0.3;           // of the reference, foreseen for sharper horizons
+
+constexpr double kAveragedLimits = 5;  // that the runs of a row that are averaged may take
 
 /// A run that is planned.
 struct Planned {
@@ -53,12 +56,14 @@ class Study {
     study_.seed = scene.seed;
     study_.machine = this_machine();
     study_.target = request.target;
+    find_starts(scene, request);
   }
 
   AccuracyStudy run() {
     plan();
     try {
       find_reference();
+      find_reference_averages();
       for (at_ = 0; at_ < plan_.size(); ++at_) run_planned();
       plan_other_crews();
       for (; at_ < plan_.size(); ++at_) run_on_other_crew();
@@ -119,12 +124,58 @@ class Study {
 
   void find_reference() {
     tell("reference", 0, forecast_.reference() + foreseen(0));
-    truth_ = find_truth(scenario_, samples_, radius_, kReferenceLimits * request_.share,
-                        [this](double spent, double whole) {
-                          forecast_.learn_reference(whole, 100);
-                          tell("reference", 0, std::max(0.0, whole - spent) + foreseen(0));
-                        });
+    try {
+      truth_ = find_truth(scenario_, samples_, radius_, kReferenceLimits * request_.share,
+                          [this](double spent, double whole) {
+                            forecast_.learn_reference(whole, 100);
+                            tell("reference", 0, std::max(0.0, whole - spent) + foreseen(0));
+                          });
+    } catch (const NoReference& none) {
+      if (study_.observables.empty()) throw;
+      truth_ = {};
+      truth_.reference.absent = none.what();
+      truth_.reference.holds_until = 0;
+      return;
+    }
     forecast_.learn_reference(truth_.reference.seconds, truth_.reference.digits);
+  }
+
+  /// The starts whose runs are averaged: first those of the rows, then those of the reference,
+  /// twice as many.  One of each where nothing is drawn from the seed.
+  void find_starts(const Scene& scene, const AccuracyRequest& request) {
+    if (request.observables.empty()) return;
+    study_.observables = request.observables;
+    const std::size_t rows = scene.fills.empty() ? 1 : std::max<std::size_t>(1, request.seeds);
+    study_.starts = rows;
+    study_.average_starts = scene.fills.empty() ? 1 : 2 * rows;
+    Scene drawn = scene;
+    for (std::size_t i = 0; i < rows + study_.average_starts; ++i) {
+      drawn.seed = scene.fills.empty() ? scene.seed : scene.seed + i;
+      starts_.push_back(scenario_of(drawn, request.time));
+    }
+  }
+
+  /// The averages of a way over starts [begin, end).
+  std::vector<std::optional<MeanAndError>> average(const Way& way, const AccuracyCrew& crew,
+                                                   std::size_t begin, std::size_t end,
+                                                   std::size_t run, double later) {
+    std::vector<Averages> runs;
+    const double once = forecast_.run(way);
+    for (std::size_t start = begin; start < end; ++start) {
+      runs.push_back(averages_of(study_.observables, starts_[start], way, crew, [&](double part) {
+        const double left = once * (static_cast<double>(end - start) - part);
+        tell(fmt::format("averages of {}, start {} of {}", name_of(way), start - begin + 1,
+                         end - begin),
+             run, left + later);
+      }));
+    }
+    return mean_over(runs);
+  }
+
+  void find_reference_averages() {
+    if (study_.observables.empty()) return;
+    const Way way{Method::event, truth_.reference.step, 16};
+    study_.averages = average(way, crews_.front(), study_.starts, starts_.size(), 0, foreseen(0));
   }
 
   static AccuracyRow new_row(const Planned& planned, std::size_t balls) {
@@ -153,11 +204,15 @@ class Study {
     std::optional<Loss> loss;
     try {
       if (row.method == Method::event && !truth_.reference.step &&
-          row.digits >= truth_.reference.digits) {
+          truth_.reference.absent.empty() && row.digits >= truth_.reference.digits) {
         throw TooLong("there is no run with more digits to compare it with in the time limit");
       }
       loss = assess(row, scenario_, samples_, truth_, radius_, stopped);
       time_runs(row, scenario_, planned.crew, request_.share, stopped);
+      if (!study_.observables.empty() &&
+          row.seconds * static_cast<double>(study_.starts) <= kAveragedLimits * request_.share) {
+        row.averages = average(planned.way, planned.crew, 0, study_.starts, at_ + 1, later);
+      }
     } catch (const StopAsked&) {
       throw;
     } catch (const SceneError& error) {
@@ -273,6 +328,7 @@ class Study {
   const AccuracyRequest& request_;
   Announcer announcer_;
   Scenario scenario_;
+  std::vector<Scenario> starts_;  // of runs that are averaged
   std::vector<AccuracyCrew> crews_;
   double radius_;
   Samples samples_;
@@ -290,7 +346,7 @@ class Study {
 }  // namespace accuracy
 
 AccuracyStudy study_accuracy(const Scene& scene, const AccuracyRequest& request) {
-  if (accuracy::comes_to_rest(scene)) return accuracy::study_rest(scene, request);
+  if (comes_to_rest(scene)) return accuracy::study_rest(scene, request);
   return accuracy::Study(scene, request).run();
 }
 

@@ -28,6 +28,24 @@ void set_rest(Json& json, const AccuracyRow& row) {
   set("height", rest.height);
 }
 
+Json to_tree(const std::optional<MeanAndError>& mean) {
+  if (!mean) return nullptr;
+  return {{"mean", mean->mean}, {"standard_error", or_null(mean->standard_error)}};
+}
+
+/// The averages of a row beside those of the reference.
+Json averages_of(const AccuracyStudy& study, const AccuracyRow& row) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < study.observables.size(); ++i) {
+    Json& each = json[observable_name(study.observables[i])];
+    each = i < row.averages.size() ? to_tree(row.averages[i]) : Json(nullptr);
+    if (each.is_null()) continue;
+    const auto& reference = study.averages[i];
+    each["difference"] = reference ? Json(row.averages[i]->mean - reference->mean) : Json(nullptr);
+  }
+  return json;
+}
+
 Json to_tree(const AccuracyStudy& study, const AccuracyRow& row) {
   Json json;
   json["method"] = method_name(row.method);
@@ -54,6 +72,7 @@ Json to_tree(const AccuracyStudy& study, const AccuracyRow& row) {
   set("horizon", or_null(row.horizon));
   set("horizon_resolution", row.horizon ? Json(row.horizon_resolution) : Json(nullptr));
   if (row.rest) set_rest(json, row);
+  if (!study.observables.empty()) json["observables"] = averages_of(study, row);
   if (failed) json["failed"] = row.failure;
   return json;
 }
@@ -85,6 +104,15 @@ std::string to_json(const AccuracyStudy& study) {
       {"seconds", reference.seconds},
       {"ball_ball", reference.ball_ball},
       {"ball_wall", reference.ball_wall}};
+  if (!reference.absent.empty())
+    json["reference"] = {{"method", nullptr}, {"absent", reference.absent}};
+  if (!study.observables.empty()) {
+    Json& means = json["reference"]["observables"];
+    for (std::size_t i = 0; i < study.averages.size(); ++i) {
+      means[observable_name(study.observables[i])] = to_tree(study.averages[i]);
+    }
+    json["reference"]["observables_starts"] = study.average_starts;
+  }
   json["rows"] = Json::array();
   for (const AccuracyRow& row : study.rows) json["rows"].push_back(to_tree(study, row));
   json["ladder_end"] = study.ladder_end.empty() ? Json(nullptr) : Json(study.ladder_end);

@@ -79,6 +79,7 @@ void WideCore::save(Continuation& continuation) const {
 }
 
 void WideCore::record_impacts(bool wanted) {
+  const WidePrecision precision(digits_);
   core_->record_impacts(wanted);
 }
 

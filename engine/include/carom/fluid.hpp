@@ -3,11 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "export/frame_record.hpp"
+#include "carom/impact.hpp"
+#include "carom/scene.hpp"
 
 namespace carom {
 
-/// What a frame says of the balls as a fluid.
+/// What a moment says of the balls as a fluid.
 struct Fluid {
   double kinetic = 0;                 ///< with the spins
   std::optional<double> temperature;  ///< k_B = 1; none without a moving ball
@@ -29,8 +30,8 @@ class FluidMeter {
         periodic_(scene.box.periodic[0] || scene.box.periodic[1]),
         spins_(scene.effects.friction.has_value()) {}
 
-  /// REQUIRES: a record with balls and impacts.
-  Fluid measure(const FrameRecord& record);
+  /// `impacts`: those since the last frame.
+  Fluid measure(double time, const std::vector<Ball>& balls, const std::vector<Impact>& impacts);
   /// The next frame is measured from this one on.
   void begin_at(double time) { since_ = time; }
 

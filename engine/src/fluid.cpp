@@ -1,13 +1,14 @@
-#include "export/fluid.hpp"
+#include "carom/fluid.hpp"
 
 namespace carom {
 
-Fluid FluidMeter::measure(const FrameRecord& record) {
+Fluid FluidMeter::measure(double time, const std::vector<Ball>& balls,
+                          const std::vector<Impact>& impacts) {
   Fluid fluid;
   double moving = 0;
   double mass = 0;
   Vec2 momentum{0, 0};
-  for (const Ball& ball : record.balls) {
+  for (const Ball& ball : balls) {
     if (ball.fixed) continue;
     ++moving;
     mass += ball.mass;
@@ -15,7 +16,7 @@ Fluid FluidMeter::measure(const FrameRecord& record) {
   }
   const Vec2 mean = mass > 0 ? Vec2(momentum / mass) : Vec2{0, 0};
   double thermal = 0;
-  for (const Ball& ball : record.balls) {
+  for (const Ball& ball : balls) {
     if (ball.fixed) continue;
     const double surface = spins_ ? ball.radius * ball.spin : 0;
     fluid.kinetic += ball.mass * (ball.velocity.squaredNorm() / 2 + surface * surface / 4);
@@ -25,16 +26,16 @@ Fluid FluidMeter::measure(const FrameRecord& record) {
   if (free > 0) fluid.temperature = thermal / free;
 
   double virial = 0;
-  for (const Impact& impact : record.impacts) {
+  for (const Impact& impact : impacts) {
     if (impact.b != Impact::kNoBall) virial += impact.distance * impact.impulse;
   }
-  const double span = since_ ? record.time - *since_ : 0;
+  const double span = since_ ? time - *since_ : 0;
   if (span > 0 && fluid.temperature) {
     const double ideal = moving * *fluid.temperature;
     fluid.pressure = (ideal + virial / (2 * span)) / area_;
     if (ideal > 0) fluid.Z = *fluid.pressure * area_ / ideal;
   }
-  since_ = record.time;
+  since_ = time;
   return fluid;
 }
 
