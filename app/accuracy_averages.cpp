@@ -69,9 +69,9 @@ double uncertainty(const AccuracyStudy& study, std::size_t observable) {
 std::string to_average_table(const AccuracyStudy& study) {
   if (study.observables.empty() || study.averages.empty()) return "";
   std::string text = fmt::format(
-      "\naverages after the first fifth of the time, over {} {} (the reference: method event over "
-      "{} of its own)\n\n",
-      study.starts, study.starts == 1 ? "start" : "starts", study.average_starts);
+      "\naverages after the first fifth of the time, over {} {}; reference: method event with {} "
+      "digits\n\n",
+      study.starts, study.starts == 1 ? "start" : "starts", study.average_digits);
   std::vector<std::vector<std::string>> lines{{"run", "time per s"}};
   for (const Observable each : study.observables) {
     lines[0].push_back(observable_name(each));

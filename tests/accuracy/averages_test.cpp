@@ -110,7 +110,7 @@ TEST(Averages, TheStudyPricesThemBesideTheReference) {
   const AccuracyStudy study = study_accuracy(gas(5, 0.3), request);
   ASSERT_EQ(study.averages.size(), 2U);
   EXPECT_EQ(study.starts, 3U);
-  EXPECT_EQ(study.average_starts, 6U);
+  EXPECT_EQ(study.average_digits, 34);
   for (const AccuracyRow& row : study.rows) {
     ASSERT_EQ(row.averages.size(), 2U);
     // Nothing changes the energy, so that all starts have the temperature they were drawn with.

@@ -154,9 +154,9 @@ struct AccuracyStudy {
   AccuracyReference reference;
   std::vector<AccuracyRow> rows;
   std::vector<Observable> observables;
-  /// As the observables: the means of the reference, which is method event from starts of its own.
+  /// As the observables: the means of the reference, which is method event from the same starts.
   std::vector<std::optional<MeanAndError>> averages;
-  std::size_t average_starts = 0;  ///< of the reference's means
+  int average_digits = 16;  ///< of the reference that is averaged: 34 where there is time for it
   /// Why the sequence of steps ends where it does; empty: at its shortest step.
   std::string ladder_end;
   std::size_t runs = 0;  ///< that were planned, without those that the time limit left out

@@ -140,32 +140,27 @@ class Study {
     forecast_.learn_reference(truth_.reference.seconds, truth_.reference.digits);
   }
 
-  /// The starts whose runs are averaged: first those of the rows, then those of the reference,
-  /// twice as many.  One of each where nothing is drawn from the seed.
+  /// The starts whose runs are averaged, one where nothing is drawn from the seed.
   void find_starts(const Scene& scene, const AccuracyRequest& request) {
     if (request.observables.empty()) return;
     study_.observables = request.observables;
-    const std::size_t rows = scene.fills.empty() ? 1 : std::max<std::size_t>(1, request.seeds);
-    study_.starts = rows;
-    study_.average_starts = scene.fills.empty() ? 1 : 2 * rows;
+    study_.starts = scene.fills.empty() ? 1 : std::max<std::size_t>(1, request.seeds);
     Scene drawn = scene;
-    for (std::size_t i = 0; i < rows + study_.average_starts; ++i) {
-      drawn.seed = scene.fills.empty() ? scene.seed : scene.seed + i;
+    for (std::size_t i = 0; i < study_.starts; ++i) {
+      drawn.seed = scene.seed + i;
       starts_.push_back(scenario_of(drawn, request.time));
     }
   }
 
-  /// The averages of a way over starts [begin, end).
+  /// The averages of a way over the starts.
   std::vector<std::optional<MeanAndError>> average(const Way& way, const AccuracyCrew& crew,
-                                                   std::size_t begin, std::size_t end,
                                                    std::size_t run, double later) {
     std::vector<Averages> runs;
     const double once = forecast_.run(way);
-    for (std::size_t start = begin; start < end; ++start) {
+    for (std::size_t start = 0; start < starts_.size(); ++start) {
       runs.push_back(averages_of(study_.observables, starts_[start], way, crew, [&](double part) {
-        const double left = once * (static_cast<double>(end - start) - part);
-        tell(fmt::format("averages of {}, start {} of {}", name_of(way), start - begin + 1,
-                         end - begin),
+        const double left = once * (static_cast<double>(starts_.size() - start) - part);
+        tell(fmt::format("averages of {}, start {} of {}", name_of(way), start + 1, starts_.size()),
              run, left + later);
       }));
     }
@@ -174,8 +169,15 @@ class Study {
 
   void find_reference_averages() {
     if (study_.observables.empty()) return;
-    const Way way{Method::event, truth_.reference.step, 16};
-    study_.averages = average(way, crews_.front(), study_.starts, starts_.size(), 0, foreseen(0));
+    Way way{Method::event, truth_.reference.step, 16};
+    if (!way.step && is_averaged(forecast_.run({Method::event, {}, 34}))) way.digits = 34;
+    study_.average_digits = way.digits;
+    study_.averages = average(way, crews_.front(), 0, foreseen(0));
+  }
+
+  /// Whether runs of so many seconds are done from all starts.
+  [[nodiscard]] bool is_averaged(double run) const {
+    return run * static_cast<double>(starts_.size()) <= kAveragedLimits * request_.share;
   }
 
   static AccuracyRow new_row(const Planned& planned, std::size_t balls) {
@@ -209,9 +211,8 @@ class Study {
       }
       loss = assess(row, scenario_, samples_, truth_, radius_, stopped);
       time_runs(row, scenario_, planned.crew, request_.share, stopped);
-      if (!study_.observables.empty() &&
-          row.seconds * static_cast<double>(study_.starts) <= kAveragedLimits * request_.share) {
-        row.averages = average(planned.way, planned.crew, 0, study_.starts, at_ + 1, later);
+      if (!study_.observables.empty() && is_averaged(row.seconds)) {
+        row.averages = average(planned.way, planned.crew, at_ + 1, later);
       }
     } catch (const StopAsked&) {
       throw;

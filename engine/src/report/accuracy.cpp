@@ -111,7 +111,7 @@ std::string to_json(const AccuracyStudy& study) {
     for (std::size_t i = 0; i < study.averages.size(); ++i) {
       means[observable_name(study.observables[i])] = to_tree(study.averages[i]);
     }
-    json["reference"]["observables_starts"] = study.average_starts;
+    json["reference"]["observables_digits"] = study.average_digits;
   }
   json["rows"] = Json::array();
   for (const AccuracyRow& row : study.rows) json["rows"].push_back(to_tree(study, row));
