@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "load_scene.hpp"
 #include "standard_streams.hpp"
+#include "warnings.hpp"
 
 namespace carom {
 
@@ -74,11 +75,9 @@ std::string counted(std::size_t n, const char* one, const char* more) {
 }
 
 std::string threads(const Scene& scene, const Footprint& footprint) {
-  const std::size_t balls = std::max<std::size_t>(1, footprint.balls);
-  const bool per_ball = !scene.workers && footprint.workers == balls;
   return fmt::format("{}: the control thread and {}{}", footprint.workers + 1,
                      counted(footprint.workers, "worker", "workers"),
-                     per_ball ? ", one per ball" : "");
+                     scene.per_ball ? ", one per ball" : "");
 }
 
 std::string method(const Scene& scene, Method method) {
@@ -127,7 +126,9 @@ int check(const Options& options) {
   bool good = true;
   for (const std::string& file : options.scenes) {
     try {
-      print(describe(file, load_scene(file, options)));
+      const Scene scene = load_scene(file, options);
+      print(describe(file, scene));
+      print_warnings(scene, scene.duration);
     } catch (const SceneError& error) {
       good = false;
       for (const Problem& problem : error.problems()) {

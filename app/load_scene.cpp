@@ -53,6 +53,18 @@ bool meet(std::string_view one, std::string_view other) {
   throw error;
 }
 
+/// Of the scene, and of running it for as long as the options say; how long a run may be at all is
+/// judged by its schedule.
+std::vector<Problem> problems_of(const Scene& scene, const Options& options) {
+  std::vector<Problem> problems = find_problems(scene);
+  if (!problems.empty() || !options.time) return problems;
+  Scene timed = scene;
+  timed.duration = *options.time;
+  problems = find_problems(timed);
+  std::erase_if(problems, [](const Problem& problem) { return problem.place == "/duration"; });
+  return problems;
+}
+
 Scene replaced(Scene scene, const std::string& source, const Options& options) {
   if (options.method) scene.solver.method = options.method;
   if (options.step) scene.solver.step = *options.step;
@@ -63,7 +75,7 @@ Scene replaced(Scene scene, const std::string& source, const Options& options) {
     scene.workers.reset();
     if (!scene.per_ball) scene.workers = std::stoull(*options.workers);
   }
-  const auto problems = find_problems(scene);
+  const auto problems = problems_of(scene, options);
   if (problems.empty()) return scene;
   for (const auto& [place, option] : kOptionOf) {
     if (problems.front().place == place) {

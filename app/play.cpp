@@ -38,8 +38,8 @@ int play(const Options& options) {
   const bool builtin = options.scenes.empty();
   if (!builtin && options.scenes.front() == "-")
     throw UsageError("play reads keys from standard input: give the scene as a file");
-  const Scene scene =
-      builtin ? load_builtin_scene(options) : load_scene(options.scenes.front(), options);
+  Scene scene = builtin ? load_builtin_scene(options) : load_scene(options.scenes.front(), options);
+  scene.played = true;
   require_terminal();
 
   Signals signals;  // before any worker starts

@@ -20,6 +20,7 @@
 #include "standard_streams.hpp"
 #include "stretch.hpp"
 #include "summary.hpp"
+#include "warnings.hpp"
 
 namespace carom {
 namespace {
@@ -40,11 +41,18 @@ bool takes_standard_output(const Options& options) {
                      [](const auto& file) { return is_standard_output(file.second); });
 }
 
+double seconds_of(const Scene& scene, const Options& options) {
+  if (options.frames) return static_cast<double>(*options.frames) / scene.frame_rate;
+  return options.time.value_or(scene.duration);
+}
+
 }  // namespace
 
 int run(const Options& options) {
   refuse_one_file_for_two(files_of(options));
   const Scene scene = load_scene(options.scenes.front(), options);
+
+  print_warnings(scene, seconds_of(scene, options));
 
   // Opened before anything runs: what cannot be written is found now.
   unfinished_files::remove_on_signals();

@@ -39,7 +39,8 @@ Schedule::Schedule(Session& session, const Options& options)
   const double rate = scene.frame_rate;
   first_frame_ = frames_until(session.clock(), rate);
   frame_ = first_frame_;
-  const double fastest = std::max(rate, 1 / session.simulation().step());
+  const double fastest =
+      takes_steps(scene) ? std::max(rate, 1 / session.simulation().step()) : rate;
   const double most = kMostFrames / fastest;
   if (options.frames) {
     if (static_cast<double>(*options.frames) / rate > most) {

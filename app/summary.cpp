@@ -25,7 +25,32 @@ std::string costs(const std::string& what, const Seconds& seconds) {
 
 std::string method(const Report& report) {
   if (report.method == Method::event) return fmt::format("event, {} digits", report.digits);
-  return fmt::format("overlap, step {:.4g} s", report.step);
+  const char* why = report.piles_up ? kPilesUp : "";
+  return fmt::format("overlap, step {:.4g} s{}{}", report.step, *why == '\0' ? "" : ": ", why);
+}
+
+// One worker would have computed as long as all of them together, and waited for none.
+std::string workers(const Report& report) {
+  constexpr double kShort = 0.01;  // seconds that are not worth a word
+  const double computing = report.measurements.computing;
+  const double waiting = report.measurements.waiting;
+  if (report.workers < 2 || waiting < kShort || waiting < computing) {
+    return fmt::format("{}", report.workers);
+  }
+  return fmt::format(
+      "{}: computing {:.2f} s, waiting {:.2f} s; --workers 1 gives the same bits "
+      "faster",
+      report.workers, computing, waiting);
+}
+
+std::string energy(const Measurements& measured) {
+  std::string text =
+      fmt::format("{:.10g} (initially {:.10g}", measured.energy_final, measured.energy_initial);
+  if (measured.energy_input != 0) text += fmt::format(", input {:.10g}", measured.energy_input);
+  if (measured.energy_dissipated > 0) {
+    text += fmt::format(", dissipated {:.10g}", measured.energy_dissipated);
+  }
+  return text + ')';
 }
 
 }  // namespace
@@ -36,12 +61,11 @@ std::string to_summary(const Report& report) {
   text += row("time", fmt::format("{:.10g} s simulated{}", report.time, end_of(report)));
   text += row("frames", fmt::format("{}", report.frames));
   text += row("balls", fmt::format("{}", report.state.size()));
-  text += row("workers", fmt::format("{}", report.workers));
+  text += row("workers", workers(report));
   text += row("method", method(report));
   text += row("events",
               fmt::format("{} ball-ball, {} ball-wall", measured.ball_ball, measured.ball_wall));
-  text += row("energy", fmt::format("{:.10g}, at first {:.10g}", measured.energy_final,
-                                    measured.energy_initial));
+  text += row("energy", energy(measured));
   text += row("energy error", fmt::format("{:.2e} relative", measured.relative_energy_error()));
   text += row("max overlap", fmt::format("{:.2e} of the smaller radius", measured.max_overlap));
   if (measured.missed_hits > 0) {

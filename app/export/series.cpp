@@ -9,15 +9,6 @@ std::string number(const std::optional<double>& value) {
   return value ? fmt::format("{}", *value) : "";
 }
 
-template <class M>
-double dissipated(const M& measured) {
-  if constexpr (requires { measured.energy_dissipated; }) {
-    return measured.energy_dissipated;
-  } else {
-    return 0;
-  }
-}
-
 }  // namespace
 
 std::string SeriesText::header() {
@@ -31,7 +22,7 @@ std::string SeriesText::line(const FrameRecord& record) {
   const double kinetic = potential_ ? fluid.kinetic : m.energy_final;
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", record.frame,
                      record.time, record.balls.size(), kinetic, m.energy_final - kinetic,
-                     m.energy_final, m.energy_input, dissipated(m), m.relative_energy_error(),
+                     m.energy_final, m.energy_input, m.energy_dissipated, m.relative_energy_error(),
                      m.momentum_final.x(), m.momentum_final.y(), number(fluid.temperature),
                      number(fluid.pressure), number(fluid.Z), m.ball_ball, m.ball_wall,
                      m.max_overlap, m.resting_contacts);

@@ -38,7 +38,10 @@ Instant::duration whole(Real real) {
 }  // namespace
 
 Player::Player(Scene scene, UserInterface& interface)
-    : scene_(std::move(scene)), interface_(interface), pacer_(kPeriod, interface.now()) {
+    : scene_(std::move(scene)),
+      interface_(interface),
+      pacer_(kPeriod, interface.now()),
+      piles_up_(choose_method(scene_).piles_up) {
   session_.emplace(scene_);
 }
 
@@ -175,6 +178,7 @@ void Player::show() {
   status.frames_per_second = meter_.frames_per_second();
   status.computing_milliseconds = running ? meter_.computing_milliseconds() : 0;
   status.energy_error = energy_error_;
+  if (piles_up_) status.note = std::string("overlap: ") + kPilesUp;
   status.late = pacer_.late();
   status.speed = speed_;
   status.paused = !running;
@@ -351,6 +355,7 @@ void Player::change_method() {
   session_.emplace(std::move(scene));
   scene_.solver.digits = session_->scene().solver.digits;
   scene_.solver.method = method;
+  piles_up_ = false;
   slice_cost_ = 0;
   meter_.reset();
   const std::string notice = std::string("method ") + method_name(method);

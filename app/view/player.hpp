@@ -73,6 +73,8 @@ class Player {
   std::optional<Ghost> ghost_;                   // the comparison
   std::chrono::duration<double> ghost_cost_{0};  // of a frame, smoothed
 
+  bool piles_up_;  // overlap by default, for so many balls can pile up
+
   std::string notice_;
   Instant notice_until_;
   double energy_error_ = 0;

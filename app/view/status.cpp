@@ -64,10 +64,11 @@ std::string status_line(const Status& status, int width) {
         fmt::format("{:.1f} ms", status.computing_milliseconds), ""}},
       {{"energy error " + error_text(status.energy_error, 1),
         "energy " + error_text(status.energy_error, 0), ""}},
+      {{status.note, status.note, ""}},
   };
   // What gives way first, again and again until the line fits: first every field one form shorter,
   // then whole fields, the least important first.
-  constexpr std::array<std::size_t, 9> kGiveWay = {8, 6, 7, 2, 5, 1, 0, 4, 3};
+  constexpr std::array<std::size_t, 10> kGiveWay = {8, 6, 7, 2, 5, 9, 1, 0, 4, 3};
   for (std::size_t form = 1; form < 3; ++form) {
     for (const std::size_t field : kGiveWay) {
       if (joined(fields).size() <= static_cast<std::size_t>(std::max(0, width))) break;

@@ -20,6 +20,7 @@ struct Status {
   double speed = 1;            ///< simulated seconds wanted per real one
   std::optional<double> pace;  ///< what the simulation reaches, where that is less
   bool paused = false;
+  std::string note;  ///< what else there is to know; empty: nothing
 };
 
 /// The status in `width` characters at most: all in words where they fit, then abbreviated, then

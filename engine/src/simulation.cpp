@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -43,12 +44,15 @@ class Simulation::Implementation {
       : scene_(scene),
         method_(choose_method(scene).method),
         solver_(make_solver(scene, balls)),
-        // Whoever starts with a thread for each ball keeps one for each ball.
-        per_ball_(!scene.workers &&
-                  worker_count(scene, balls.size()) == worker_target(balls.size())),
+        moving_(count_moving(balls)),
+        // What starts with a thread for each ball keeps one for each ball.
+        per_ball_(scene.played && !scene.workers &&
+                  worker_count(scene, balls.size(), moving_) == std::max<std::size_t>(1, moving_)),
         time_(scene.continuation ? scene.continuation->time : 0),
-        crew_(workers_for(balls.size()), solver_->phases()),
+        crew_(worker_count(scene, balls.size(), moving_), solver_->phases()),
         energy_initial_(solver_->energy()),
+        energy_largest_(std::abs(energy_initial_)),
+        dissipated_before_(solver_->dissipated()),
         momentum_initial_(solver_->momentum()),
         ids_(balls.size()),
         next_id_(balls.size()) {
@@ -56,6 +60,7 @@ class Simulation::Implementation {
     scene_.balls.clear();
     scene_.fills.clear();
     scene_.script.clear();
+    scene_.solver.method = method_;  // whatever the balls are that are left
     solver_->set_workers(crew_.workers());
   }
 
@@ -69,6 +74,7 @@ class Simulation::Implementation {
     check_room(add.ball);
     collect_impacts(true);
     solver_->add(add.ball);
+    if (!add.ball.fixed) ++moving_;
     ids_.push_back(next_id_++);
     note({.kind = ImpactKind::add, .a = ids_.back(), .position = add.ball.position});
     fit_crew();
@@ -83,6 +89,7 @@ class Simulation::Implementation {
     collect_impacts(true);
     const auto place = static_cast<std::ptrdiff_t>(ball);
     note({.kind = ImpactKind::remove, .a = ids_[ball], .position = position_of(ball)});
+    if (!solver_->state()[ball].fixed) --moving_;
     solver_->remove(ball);
     ids_.erase(ids_.begin() + place);
     fit_crew();
@@ -114,7 +121,9 @@ class Simulation::Implementation {
   void apply(const Command& command) {
     const double before = solver_->energy();
     std::visit([this](const auto& c) { obey(c); }, command);
-    energy_input_ += solver_->energy() - before;
+    const double after = solver_->energy();
+    energy_input_ += after - before;
+    energy_largest_ = std::max({energy_largest_, std::abs(before), std::abs(after)});
   }
 
   Measurements measure() const {
@@ -123,9 +132,14 @@ class Simulation::Implementation {
     result.energy_initial = energy_initial_;
     result.energy_final = solver_->energy();
     result.energy_input = energy_input_;
+    result.energy_dissipated = std::max(0.0, solver_->dissipated() - dissipated_before_);
+    result.energy_largest = std::max(energy_largest_, std::abs(result.energy_final));
     result.momentum_initial = momentum_initial_;
     result.momentum_final = solver_->momentum();
     result.phases = crew_.seconds();
+    const Crew::Effort effort = crew_.effort();
+    result.computing = effort.computing;
+    result.waiting = std::max(0.0, effort.frames - effort.computing);
     return result;
   }
 
@@ -158,13 +172,9 @@ class Simulation::Implementation {
   std::size_t workers() const { return crew_.workers(); }
 
  private:
-  static std::size_t worker_target(std::size_t balls) { return std::max<std::size_t>(1, balls); }
-  std::size_t workers_for(std::size_t balls) const {
-    return per_ball_ ? worker_target(balls) : worker_count(scene_, balls);
-  }
-
   void fit_crew() {
-    const std::size_t workers = workers_for(solver_->balls());
+    const std::size_t workers = per_ball_ ? std::max<std::size_t>(1, moving_)
+                                          : worker_count(scene_, solver_->balls(), moving_);
     if (workers == crew_.workers()) return;
     crew_.resize(workers);
     solver_->set_workers(crew_.workers());
@@ -220,6 +230,7 @@ class Simulation::Implementation {
     if (!has_collisions(scene_.effects)) return;
     const std::vector<Ball> balls = solver_->state();
     for (std::size_t i = 0; i < balls.size(); ++i) {
+      if (ball.fixed && balls[i].fixed) continue;
       Vec2 r = balls[i].position - ball.position;
       for (std::size_t k = 0; k < 2; ++k) {
         const double period = domain.period[static_cast<std::size_t>(k)];
@@ -236,10 +247,13 @@ class Simulation::Implementation {
   Scene scene_;  // without balls and script
   Method method_;
   std::unique_ptr<Solver> solver_;
+  std::size_t moving_;  // balls that are not fixed
   bool per_ball_;
   double time_;
   Crew crew_;
   double energy_initial_;
+  double energy_largest_;
+  double dissipated_before_;
   Vec2 momentum_initial_;
   double energy_input_ = 0;
   std::vector<std::size_t> ids_;  // of the balls, in their order

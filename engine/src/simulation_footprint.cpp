@@ -56,7 +56,7 @@ Footprint footprint(const Scene& scene, const std::vector<Ball>& balls) {
     const auto unique = [](std::size_t k) { return k == 0 ? 0 : k * (k - 1) / 2; };
     result.pairs = unique(n) - unique(fixed);
   }
-  result.workers = worker_count(scene, n);
+  result.workers = worker_count(scene, n, count_moving(balls));
   if (choose_method(scene).method == Method::event) {
     describe_event(scene, result);
     return result;

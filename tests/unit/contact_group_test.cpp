@@ -30,7 +30,8 @@ std::vector<Ball> resolved(const std::vector<Ball>& before, double fall, double 
   }
   Balls balls(before);
   effects::ImpactCount count;
-  effects::GroupResolver(domain, rule).resolve(balls, pairs, count);
+  Turns turns;
+  effects::GroupResolver(domain, rule, turns).resolve(balls, pairs, count);
   return balls.to_vector();
 }
 

@@ -63,6 +63,21 @@ TEST(Share, SharesMeetWithoutGapAndDifferByOneAtMost) {
 
 // Plain numbers, on purpose: where a phase begins before the one before has ended everywhere, the
 // sums differ, and the thread sanitizer sees a race.
+TEST(Crew, KnowsWhatItsWorkersHaveComputedWhereTheyCanWaitForEachOther) {
+  const auto work = [](Share share) {
+    volatile double sum = 0;
+    for (int k = 0; share.index == 0 && k < 100000; ++k) sum = sum + k;
+  };
+  const std::vector<Phase> phases{{"work", work, [] { return Phase::kFrameDone; }}};
+  Crew alone(1, phases);
+  alone.do_frame();
+  EXPECT_EQ(alone.effort().computing, 0);
+  Crew three(3, phases);
+  three.do_frame();
+  EXPECT_GT(three.effort().computing, 0);
+  EXPECT_LE(three.effort().computing, 3 * three.effort().frames);
+}
+
 TEST(Crew, APhaseSeesAllThatTheOneBeforeHasDone) {
   const Watchdog watchdog(seconds(120));
   for (const std::size_t workers : {1U, 2U, 3U, 7U, 40U}) {

@@ -146,7 +146,7 @@ TEST(Footprint, HasNoSpinWithoutFrictionAndNoPairsWithoutCollisions) {
   scene.solver.method = Method::overlap;
   const Footprint whole = footprint(scene, populate(scene));
   EXPECT_EQ(whole.pairs, 16U * 15 / 2);
-  EXPECT_EQ(whole.workers, 16U);
+  EXPECT_EQ(whole.workers, 1U);
   const auto has = [](const Footprint::Bytes& parts, const char* name) {
     return std::any_of(parts.begin(), parts.end(),
                        [&](const auto& part) { return part.first == name; });

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <thread>
 #include <utility>
 
 #include "carom/scene_file.hpp"
@@ -228,14 +230,33 @@ TEST(Populate, GivesEveryBallOfAFillItsGlyph) {
   for (const Ball& ball : populate(scene)) EXPECT_EQ(ball.glyph, '@');
 }
 
-TEST(WorkerCount, IsOnePerBallUpTo256BallsAndTheNumberNamedOtherwise) {
+// As the contract has it.
+TEST(WorkerCount, IsOnePerBallThatCanMoveUpTo256WhereTheSceneIsPlayed) {
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   Scene scene;
-  EXPECT_EQ(worker_count(scene, 0), 1U);
-  EXPECT_EQ(worker_count(scene, 256), 256U);
-  EXPECT_LT(worker_count(scene, 257), 257U);
+  scene.played = true;
+  EXPECT_EQ(worker_count(scene, 0, 0), 1U);
+  EXPECT_EQ(worker_count(scene, 300, 256), 256U);
+  EXPECT_EQ(worker_count(scene, 300, 257), cores);
+  scene.played = false;
   scene.per_ball = true;
   EXPECT_EQ(worker_count(scene, 257), 257U);
-  scene.per_ball = false;
+}
+
+// A few balls, and what one worker does while the others wait, are not shared.
+TEST(WorkerCount, IsOneElsewhereWhereSharingDoesNotPay) {
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  Scene scene;
+  scene.effects.walls = Walls{};
+  scene.effects.collisions = Collisions{};
+  for (const Method method : {Method::event, Method::overlap}) {
+    scene.solver.method = method;
+    for (const std::size_t balls : {0U, 1U, 200U, 1000U}) EXPECT_EQ(worker_count(scene, balls), 1U);
+    EXPECT_EQ(worker_count(scene, 1'000'000), cores);
+  }
+  scene.solver.method = Method::event;
+  scene.effects.friction = Friction{};
+  EXPECT_EQ(worker_count(scene, 1'000'000), 1U);
   scene.workers = 3;
   EXPECT_EQ(worker_count(scene, 257), 3U);
 }

@@ -74,7 +74,9 @@ TEST(Simulation, RefusesABallWithoutRoomAndStaysAsItIs) {
 }
 
 TEST(Simulation, AddsAndRemovesBallsWithTheirWorkersAndAccountsForTheirEnergy) {
-  Session session(one_ball());
+  Scene scene = one_ball();
+  scene.played = true;
+  Session session(scene);
   EXPECT_EQ(session.simulation().workers(), 1U);
   session.apply(command::Add{Ball{{2, 2}, {2, 0}}});
   EXPECT_EQ(session.simulation().workers(), 2U);

@@ -34,6 +34,13 @@ TEST(StatusLine, SaysEverythingAbbreviatedAtEightyColumns) {
     EXPECT_NE(line.find(part), std::string::npos) << part << " in " << line;
 }
 
+TEST(StatusLine, SaysWhyOverlapWasChosenAtEightyColumns) {
+  Status status = busy();
+  status.note = "overlap: more than 300 balls can pile up";
+  EXPECT_NE(status_line(status, 80).find(status.note), std::string::npos);
+  EXPECT_NE(status_line(status, 200).find(status.note), std::string::npos);
+}
+
 TEST(StatusLine, NeverIsWiderThanItsScreen) {
   for (int width = -1; width < 160; ++width)
     EXPECT_LE(static_cast<int>(status_line(busy(), width).size()), std::max(0, width));

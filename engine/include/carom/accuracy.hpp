@@ -104,8 +104,7 @@ struct AccuracyRow {
   /// Largest distance of a ball from where it should be at the end; absent where the reference does
   /// not reach so far.
   std::optional<double> position_error;
-  /// At the end, in parts of the energy at first, not negative; absent where nobody knows what it
-  /// should be.
+  /// What nothing accounts for at the end: Measurements::relative_energy_error.
   std::optional<double> energy_error;
   double max_overlap = 0;       ///< deepest penetration seen / smaller radius of the two
   std::uint64_t ball_ball = 0;  ///< impacts

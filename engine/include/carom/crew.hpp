@@ -79,6 +79,13 @@ class Crew {
   [[nodiscard]] std::vector<BarrierStatus> barriers() const;
   /// Wall-clock seconds spent in each phase so far, in the order of the phases.
   [[nodiscard]] Seconds seconds() const;
+  /// Wall-clock seconds of all frames so far, and those that the workers have spent in phases, all
+  /// of them together; 0 where there is one worker, which is never waited for.
+  struct Effort {
+    double frames = 0;
+    double computing = 0;
+  };
+  [[nodiscard]] Effort effort() const;
 
   /// Records from now on what every thread does between the barriers, and keeps the last `frames`
   /// frames; 0: no longer, and forgets them.  Between frames.  Nothing is allocated in a phase.

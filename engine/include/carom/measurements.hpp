@@ -21,14 +21,19 @@ struct Measurements {
   std::uint64_t missed_hits = 0;       ///< balls passed through between two steps, at the least
   double energy_initial = 0;           ///< kinetic and potential
   double energy_final = 0;
-  double energy_input = 0;  ///< by commands: balls added and removed, effects changed
+  double energy_input = 0;       ///< by commands: balls added and removed, effects changed
+  double energy_dissipated = 0;  ///< by restitution, friction and drag, each by its own formula
+  double energy_largest = 0;     ///< in size, of those looked at: at first, at commands, at the end
   Vec2 momentum_initial{0, 0};
   Vec2 momentum_final{0, 0};
   double max_overlap = 0;  ///< deepest penetration seen / smaller radius of the two
   Seconds phases;          ///< wall-clock seconds of each phase of the crew
   Seconds effects;         ///< wall-clock seconds of each effect that is simulated
+  double computing = 0;    ///< of several workers: wall-clock seconds in phases, all together
+  double waiting = 0;      ///< and those of the run in which no work of one worker was done
 
-  /// (final - initial - input) / |initial + input|; the plain difference where that is zero.
+  /// What nothing accounts for: |final - (initial + input - dissipated)| / the largest energy; the
+  /// plain difference where that is zero.
   [[nodiscard]] double relative_energy_error() const;
 };
 

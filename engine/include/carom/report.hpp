@@ -17,6 +17,7 @@ struct Report {
   std::string ended;         ///< by what: "time", "frames", "script" or "paused"
   double wall_seconds = 0;   ///< of the whole run
   Method method = Method::overlap;
+  bool piles_up = false;  ///< by default event, but for so many balls that can pile up
   double step = 0;
   int digits = 16;
   std::size_t workers = 0;

@@ -99,6 +99,7 @@ struct Scene {
   SolverChoice solver;
   std::optional<std::size_t> workers;  ///< absent: the default of `worker_count`
   bool per_ball = false;               ///< one worker thread per ball; `workers` is then absent
+  bool played = false;                 ///< in the terminal, which has its own default of workers
   double duration = 10;                ///< simulated seconds of a headless run
   double frame_rate = 30;              ///< frames per second of the frame clock
   std::vector<ScriptLine> script;      ///< in order of `at`
@@ -116,15 +117,28 @@ bool loses_energy(const Scene& scene);
 /// The method a scene is computed with.
 struct MethodChoice {
   Method method = Method::overlap;
-  std::string why;  ///< as in "the scene names it"
+  std::string why;        ///< as in "the scene names it"
+  bool piles_up = false;  ///< by default event, but for so many balls that can pile up
 };
 MethodChoice choose_method(const Scene& scene);
+/// Why overlap computes a scene that event could take: `check`, the summary of a run and the status
+/// of `play` say it in these words.
+inline constexpr const char* kPilesUp = "more than 300 balls can pile up";
+
+/// Whether its method takes steps; else `solver.step` means nothing.
+bool takes_steps(const Scene& scene);
 
 /// What keeps a method from taking the scene, in words and with the remedy; empty: nothing does.
 std::string obstacle(const Scene& scene, Method method);
 
-/// The worker threads a scene of `balls` balls gets: as the scene says; by default one per ball up
-/// to 256 balls, above that one per core.
-std::size_t worker_count(const Scene& scene, std::size_t balls);
+/// The worker threads of a scene of `balls` balls, of which `moving` can move: as many as the scene
+/// says.  By default, where it is played, one per ball that can move, up to 256, above that one per
+/// core; elsewhere as many as make it fastest here.
+std::size_t worker_count(const Scene& scene, std::size_t balls, std::size_t moving);
+inline std::size_t worker_count(const Scene& scene, std::size_t balls) {
+  return worker_count(scene, balls, balls);
+}
+/// How many of the balls can move.
+std::size_t count_moving(const std::vector<Ball>& balls);
 
 }  // namespace carom

@@ -14,18 +14,6 @@ std::optional<double> pace_of(const AccuracyRow& row) {
   return row.method == Method::overlap ? row.step : std::nullopt;
 }
 
-/// Where the truth ends before the run does, what should be kept is what is known of the end.
-std::optional<double> energy_error(const Measurements& measured, const Effects& effects,
-                                   std::optional<double> truth) {
-  const double first = measured.energy_initial + measured.energy_input;
-  const bool keeps = (!effects.walls || effects.walls->restitution == 1) &&
-                     (!effects.collisions || effects.collisions->restitution == 1) &&
-                     !effects.drag && !effects.friction;
-  if (!truth && !keeps) return std::nullopt;
-  const double off = std::abs(measured.energy_final - truth.value_or(first));
-  return first != 0 ? off / std::abs(first) : off;
-}
-
 }  // namespace
 
 std::optional<Loss> assess(AccuracyRow& row, const Scenario& scenario, const Samples& samples,
@@ -61,7 +49,7 @@ std::optional<Loss> assess(AccuracyRow& row, const Scenario& scenario, const Sam
   }
   runner.advance_to(scenario.end);
   const Measurements measured = runner.simulation().measure();
-  row.energy_error = energy_error(measured, scenario.start.effects, truth.energy);
+  row.energy_error = measured.relative_energy_error();
   row.max_overlap = measured.max_overlap;
   row.ball_ball = measured.ball_ball;
   row.ball_wall = measured.ball_wall;

@@ -80,7 +80,6 @@ std::optional<std::string> compute(Truth& truth, const Pair& pair, const Scenari
   reference.ball_ball = measured.ball_ball;
   reference.ball_wall = measured.ball_wall;
   reference.seconds = seconds_since(started);
-  if (!reference.holds_until) truth.energy = measured.energy_final;
   return std::nullopt;
 }
 
@@ -126,7 +125,6 @@ Truth in_steps(double step, const Truth* before, const Scenario& scenario, const
   truth.reference.ball_ball = measured.ball_ball;
   truth.reference.ball_wall = measured.ball_wall;
   truth.reference.seconds = seconds_since(started);
-  if (!truth.reference.holds_until) truth.energy = measured.energy_final;
   return truth;
 }
 

@@ -17,7 +17,6 @@ struct Truth {
   AccuracyReference reference;
   std::vector<Places> at_sample;            ///< of sample s at s - 1, as far as it is known
   std::map<std::uint64_t, Places> at_fine;  ///< of a fine number, where one was asked for
-  std::optional<double> energy;             ///< at the end, where it is known
 
   /// The last sample of which it is known; where runs are not lost by then, it is the end.
   [[nodiscard]] std::size_t known() const { return at_sample.size(); }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/dissipation.hpp"
 #include "contact/nonnegative_impulses.hpp"
 #include "contact/pair_friction.hpp"
 #include "contact/pair_impact.hpp"
@@ -17,6 +18,7 @@ struct JointReport {
   int walls = 0;     ///< the same with walls
   int settling = 0;  ///< rounds for approaches that are rounding only
   int locked = 0;    ///< bodies that had to be given a common velocity: the last resort
+  double lost = 0;   ///< energy that restitution took; what only mends rounding is not counted
 };
 
 /// The normal impulse of a contact in one reflection.
@@ -167,6 +169,9 @@ class JointImpact {
       note_impact(k);
       const S approach = approach_speed(c.r, velocity(c.b) - velocity(c.a));
       gains_[k] = gains_[k] + (1 + e) * approach;
+      report_.lost +=
+          lost_to_restitution(static_cast<double>(approach), static_cast<double>(S(e * approach)),
+                              static_cast<double>(graph_.mobility(k)));
       if (strokes_ != nullptr) {
         strokes_->push_back({k, S((1 + e) * approach / graph_.mobility(k)), approach, e});
       }
@@ -213,6 +218,9 @@ class JointImpact {
     const S needed = size.rounded();
     if (!(needed > 0)) return;
     const S factor = times * (toward.rounded() / needed);
+    // The whole set reflects as one contact does, with toward / sqrt(needed) for its speed.
+    report_.lost += static_cast<double>(S(times * (2 - times) * (toward.rounded() / needed))) *
+                    static_cast<double>(toward.rounded()) / 2;
     if (strokes_ != nullptr && counted) {
       for (std::size_t k = 0; k < impulses.size(); ++k) {
         if (!(impulses[k] > 0)) continue;
@@ -287,6 +295,7 @@ class JointImpact {
 
   /// Balls that approach are given one velocity and stay one body, until nothing approaches.
   void lock() {
+    const double had = energy();
     std::vector<std::size_t> one(bodies_.size());
     for (std::size_t k = 0; k < one.size(); ++k) one[k] = k;
     const auto find = [&](std::size_t k) {
@@ -307,6 +316,20 @@ class JointImpact {
       }
       give_common_velocities(one, find, x_held, y_held);
     }
+    report_.lost += had - energy();
+  }
+
+  double energy() const {
+    ExactSum<double> sum;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      if (bodies_[k].inverse_mass == 0) continue;
+      const auto mass = static_cast<double>(S(1 / bodies_[k].inverse_mass));
+      const auto x = static_cast<double>(velocity_[k].x);
+      const auto y = static_cast<double>(velocity_[k].y);
+      sum.add(mass * (x * x) / 2);
+      sum.add(mass * (y * y) / 2);
+    }
+    return sum.rounded();
   }
 
   template <class Find>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/dissipation.hpp"
 #include "numbers/scalar.hpp"
 
 namespace carom::event {
@@ -47,6 +48,14 @@ class Rub {
     const S wanted = -slip / 3;
     const S cut = wanted > most ? most : (wanted < -most ? S(-most) : wanted);
     impulse_ = cut / (a.inverse_mass + b.inverse_mass);
+    slip_ = slip;
+    inverse_masses_ = a.inverse_mass + b.inverse_mass;
+  }
+
+  /// What it takes from the energy where nothing else touches the two.
+  [[nodiscard]] double loss() const {
+    return lost_to_friction(static_cast<double>(slip_), static_cast<double>(impulse_),
+                            static_cast<double>(inverse_masses_));
   }
 
   /// Along t; b gains it, a loses it.
@@ -63,6 +72,8 @@ class Rub {
   Vec<S> along_;  ///< t times the length of r
   S length_;
   S impulse_;
+  S slip_;
+  S inverse_masses_;
 };
 
 }  // namespace carom::event

@@ -1,6 +1,7 @@
 #include "carom/crew.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <exception>
 #include <mutex>
@@ -64,8 +65,10 @@ class Crew::Implementation {
   void do_frame(std::size_t first) {
     current_ = first;
     phase_began_ = Clock::now();
+    const Clock::time_point began = phase_began_;
     if (recorder_ ? meet_recorded()
                   : do_frame_.arrive_and_wait() && frame_done_.arrive_and_wait()) {
+      if (count_ > 1) frames_ += Clock::now() - began;
       return;
     }
     stop();
@@ -95,6 +98,13 @@ class Crew::Implementation {
     }
     result.push_back({"frame_done", frame_done_.parties()});
     return result;
+  }
+
+  [[nodiscard]] Effort effort() const {
+    const auto seconds = [](Clock::duration spent) {
+      return std::chrono::duration<double>(spent).count();
+    };
+    return {seconds(frames_), seconds(Clock::duration(computing_.load()))};
   }
 
   [[nodiscard]] Seconds seconds() const {
@@ -128,13 +138,21 @@ class Crew::Implementation {
           return;
         }
         timeline.begin_frame(recorder_);
+        Clock::duration busy{0};
         while (current_ != Phase::kFrameDone) {
           const std::size_t phase = current_;
-          phases_[phase].work(Share{index, count_});
+          if (count_ == 1) {
+            phases_[phase].work(Share{index, count_});
+          } else {
+            const Clock::time_point began = Clock::now();
+            phases_[phase].work(Share{index, count_});
+            busy += Clock::now() - began;
+          }
           timeline.arrive();
           if (!phase_done_[phase]->arrive_and_wait()) return;
           timeline.leave(static_cast<std::uint32_t>(phase + 1));
         }
+        if (busy.count() != 0) computing_ += busy.count();
         timeline.arrive_at_frame_done(frame_done);
         if (!frame_done_.arrive_and_wait()) return;
         timeline.leave_frame_done();
@@ -234,6 +252,8 @@ class Crew::Implementation {
   std::shared_ptr<TimelineRecorder> recorder_;  // null: nothing is recorded
   std::vector<Thread> threads_;
   Failure failure_;
+  Clock::duration frames_{0};             // where there are several workers
+  std::atomic<Clock::rep> computing_{0};  // of all workers
 
   // Written by the control thread between frames or by finish(); the barriers order the rest.
   std::size_t count_ = 0;
@@ -257,6 +277,9 @@ std::size_t Crew::workers() const {
 }
 std::vector<BarrierStatus> Crew::barriers() const {
   return implementation_->barriers();
+}
+Crew::Effort Crew::effort() const {
+  return implementation_->effort();
 }
 Seconds Crew::seconds() const {
   return implementation_->seconds();

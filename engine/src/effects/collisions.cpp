@@ -57,9 +57,11 @@ void pay(ContactGroup& group, const Vec2& acceleration, double work, double free
 
 }  // namespace
 
-void GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactCount& count) const {
+double GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactCount& count) const {
   thread_local ContactGroup group;
   group.load(balls, pairs, domain_);
+  count.lost = 0;
+  const std::size_t noted = count.log.impacts.size();
   const Vec2& acceleration = rule_.acceleration;
   const bool falls = acceleration.x() != 0 || acceleration.y() != 0;
   const bool rests = falls && rule_.restitution < 1 && group.bound;
@@ -72,13 +74,21 @@ void GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactCou
     const double a = group.members[contact.a].inverse_mass / contact.inverse_masses;
     return group.separate(contact, domain_, a, 1 - a);
   });
+  double lifted = 0;
   if (falls && group.bound) {
     const double work = group.lifting_work(acceleration);
     const double set_free = std::max(0.0, energy - group.kinetic_energy());
     const bool elastic = rule_.restitution == 1;
+    if (!elastic) lifted = std::min(work, set_free);
     if (elastic || work > set_free) pay(group, acceleration, work, elastic ? 0 : set_free);
   }
-  group.store(balls, domain_);
+  group.store(balls, domain_, turns_);
+  const double lost = std::max(0.0, count.lost - lifted);
+  // Each of the impacts has its part in what they have lifted.
+  for (std::size_t k = noted; k < count.log.impacts.size() && count.lost > 0; ++k) {
+    count.log.impacts[k].energy_lost *= lost / count.lost;
+  }
+  return lost;
 }
 
 }  // namespace carom::effects

@@ -7,6 +7,7 @@
 #include "contact/impact_log.hpp"
 #include "contact/pair_list.hpp"
 #include "state/domain.hpp"
+#include "state/totals.hpp"
 
 namespace carom::effects {
 
@@ -35,26 +36,31 @@ struct ImpactCount {
   bool timed = false;  ///< what friction takes is measured
   double friction_seconds = 0;
   ImpactLog log;
+  double lost = 0;  ///< energy, by the group that is being resolved
 };
 
 /// Gives the balls of one group of touching pairs their new velocities and moves them apart.
 ///
 /// The outcome depends on the group alone.  Every impulse keeps momentum and cannot raise the
 /// energy; balls are moved apart by inverse mass, and what that costs against gravity beyond what
-/// the impacts of the group have set free is taken from their motion along gravity.
+/// the impacts of the group have set free is taken from their motion along gravity.  What the
+/// impacts take from the energy is what they set free, less what of it has lifted the balls.
 ///
 /// Threads: groups of one step may be resolved at the same time: no ball is in two of them.
 class GroupResolver {
  public:
-  GroupResolver(const Domain& domain, const CollisionRule& rule) : domain_(domain), rule_(rule) {}
+  GroupResolver(const Domain& domain, const CollisionRule& rule, Turns& turns)
+      : domain_(domain), rule_(rule), turns_(turns) {}
   GroupResolver(const GroupResolver&) = delete;
   GroupResolver& operator=(const GroupResolver&) = delete;
 
-  void resolve(Balls& balls, std::span<const Pair> group, ImpactCount& count) const;
+  /// Gives the energy that the impacts take.
+  double resolve(Balls& balls, std::span<const Pair> group, ImpactCount& count) const;
 
  private:
   const Domain& domain_;
   const CollisionRule& rule_;
+  Turns& turns_;  ///< of each ball round the periodic axes
 };
 
 }  // namespace carom::effects

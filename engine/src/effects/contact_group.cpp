@@ -82,13 +82,17 @@ void ContactGroup::load(const Balls& balls, std::span<const Pair> pairs, const D
                       [&](const Member& member) { return held(member, domain); });
 }
 
-void ContactGroup::store(Balls& balls, const Domain& domain) const {
+void ContactGroup::store(Balls& balls, const Domain& domain, Turns& turns) const {
   for (const Member& member : members) {
     if (member.inverse_mass == 0) continue;
     const std::size_t k = member.ball;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const double x = inside(member, domain, axis);
-      balls.position[axis][k] = domain.period[axis] > 0 ? domain.wrapped(axis, x) : x;
+      const double image = domain.period[axis] > 0 ? domain.wrapped(axis, x) : x;
+      if (image != x && !turns[axis].empty()) {
+        turns[axis][k] += static_cast<std::int64_t>(std::rint((x - image) / domain.period[axis]));
+      }
+      balls.position[axis][k] = image;
       balls.velocity[axis][k] = member.velocity[axis];
     }
     if (spins) balls.spin[k] = member.spin;
@@ -183,8 +187,9 @@ void ContactGroup::exchange(const Contact& contact, const Blow& blow, const Doma
     rubbed = rub(a, b, line, blow.j * line.length, rule.friction);
   }
   if (blow.bounces) ++count.ball_ball;
+  rubbed.lost += lost_to_restitution(blow.arrival, blow.leaving, contact.inverse_masses);
+  count.lost += rubbed.lost;
   if (count.log.wanted) {
-    rubbed.lost += lost_to_restitution(blow.arrival, blow.leaving, contact.inverse_masses);
     Impact& impact = note(contact, blow.j * line.length, rubbed, count.log);
     if (blow.bounces) impact.kind = ImpactKind::ball;
   }
@@ -263,6 +268,7 @@ void ContactGroup::rebound(Member& member, const Domain& domain, const Collision
       rubbed = rub_wall(member, axis, normal, rule.wall_friction);
     }
     if (bounces) ++count.ball_wall;
+    count.lost += member.mass * (rubbed.lost + lost_to_restitution(arrival, v, 1));
     if (!count.log.wanted) continue;
     const WallImpact met{member.ball, outwards > 0, bounces,
                          arrival,     std::abs(v),  std::abs(normal)};

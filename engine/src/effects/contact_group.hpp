@@ -56,7 +56,8 @@ class ContactGroup {
   bool pulled = false;  ///< there is attraction
 
   void load(const Balls& balls, std::span<const Pair> pairs, const Domain& domain);
-  void store(Balls& balls, const Domain& domain) const;
+  /// Counts which balls it brings back round a periodic axis.
+  void store(Balls& balls, const Domain& domain, Turns& turns) const;
 
   /// From a to b as they are now.
   [[nodiscard]] Vec2 apart(const Contact& contact, const Domain& domain) const;

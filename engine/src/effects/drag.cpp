@@ -23,8 +23,12 @@ double second_remainder(double z) {
 Glide slowed(double rate, double step, double acceleration) {
   const double z = rate * step;
   const double reach = z != 0 ? -std::expm1(-z) / rate : step;
-  return {reach, std::exp(-z), acceleration * step * step * second_remainder(z),
-          acceleration * reach};
+  return {reach,
+          std::exp(-z),
+          acceleration * step * step * second_remainder(z),
+          acceleration * reach,
+          DragLoss(rate, step),
+          acceleration};
 }
 
 void drag(Flight& flight) {
@@ -33,6 +37,13 @@ void drag(Flight& flight) {
   for (std::size_t k = 0; k < flight.count; ++k) {
     flight.moved[k] = flight.velocity[k] * reach;
     flight.after[k] = flight.velocity[k] * keep;
+  }
+  if (flight.lost == nullptr) return;
+  const DragLoss& loss = flight.glide.drag_loss;
+  const double acceleration = flight.glide.acceleration;
+  for (std::size_t k = 0; k < flight.count; ++k) {
+    const bool moves = flight.inverse_mass[k] > 0;
+    flight.lost[k] += moves ? flight.mass[k] * loss.along(flight.velocity[k], acceleration) : 0;
   }
 }
 

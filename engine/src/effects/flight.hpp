@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "contact/dissipation.hpp"
 #include "state/balls.hpp"
 
 namespace carom {
@@ -17,6 +18,8 @@ struct Glide {
   double keep = 1;
   double fall = 0;
   double gain = 0;
+  DragLoss drag_loss{};     ///< with drag
+  double acceleration = 0;  ///< that it was worked out for
 };
 
 /// The motion of some balls along one axis in one step, while it is being worked out: every effect
@@ -38,8 +41,10 @@ struct Flight {
   const double* radius = nullptr;
   const double* inverse_mass = nullptr;
   const double* pull = nullptr;  ///< by attraction: `velocity` holds half a step of it already
-  alignas(64) Lanes moved;       ///< displacement, later the new position
-  alignas(64) Lanes after;       ///< velocity after the step
+  const double* mass = nullptr;
+  double* lost = nullptr;   ///< adds up what restitution and drag take; null: they do not
+  alignas(64) Lanes moved;  ///< displacement, later the new position
+  alignas(64) Lanes after;  ///< velocity after the step
 };
 
 /// Prepares the flight of balls [begin, end) along an axis.
@@ -54,6 +59,7 @@ inline void prepare(Flight& flight, const Balls& balls, std::size_t axis, std::s
   flight.velocity = balls.velocity[axis].data() + begin;
   flight.radius = balls.radius.data() + begin;
   flight.inverse_mass = balls.inverse_mass.data() + begin;
+  flight.mass = balls.mass.data() + begin;
   flight.pull = balls.pull[axis].size() > 0 ? balls.pull[axis].data() + begin : nullptr;
 }
 

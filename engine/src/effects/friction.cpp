@@ -45,7 +45,7 @@ Rubbed rub_wall(Member& member, std::size_t axis, double normal, double coeffici
 }
 
 void rub_walls(Balls& balls, std::size_t begin, std::size_t count, const Struck& struck,
-               double coefficient, RubbedBlock* rubbed) {
+               double coefficient, double* lost, RubbedBlock* rubbed) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (std::size_t k = 0; k < count; ++k) {
       const double normal = struck.normal[axis][k];
@@ -56,6 +56,7 @@ void rub_walls(Balls& balls, std::size_t begin, std::size_t count, const Struck&
       member.radius = balls.radius[i];
       member.spin = balls.spin[i];
       const Rubbed here = rub_wall(member, axis, normal, coefficient);
+      lost[k] += balls.mass[i] * here.lost;
       if (rubbed != nullptr) (*rubbed)[axis][k] = here;
       balls.velocity[1 - axis][i] = member.velocity[1 - axis];
       balls.spin[i] = member.spin;

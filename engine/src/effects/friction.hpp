@@ -29,9 +29,9 @@ struct Struck {
 /// What friction did to them there.
 using RubbedBlock = std::array<std::array<Rubbed, Flight::kBlock>, 2>;
 
-/// Rubs the balls of a block at the walls they struck; `rubbed`, if there is one, is told of each
-/// across each axis.
+/// Rubs the balls of a block at the walls they struck; `lost`, of the first of them, adds up the
+/// energy that it takes; `rubbed`, if there is one, is told of each across each axis.
 void rub_walls(Balls& balls, std::size_t begin, std::size_t count, const Struck& struck,
-               double coefficient, RubbedBlock* rubbed = nullptr);
+               double coefficient, double* lost, RubbedBlock* rubbed = nullptr);
 
 }  // namespace carom::effects

@@ -75,11 +75,12 @@ void stop_on_ground(ContactGroup& group, const Domain& domain, const CollisionRu
       any = true;
       const bool sinking = (upper.velocity + lower.velocity).dot(standing.up) <= 0;
       if (lower.supported && upper.inverse_mass > 0 && sinking) {
-        const double had = upper.velocity.squaredNorm();
+        const double length = standing.contact->line.length;
+        const double before = upper.velocity.dot(standing.up) / length;
         upper.velocity -= closing / square * standing.up;
         Rubbed rubbed;
-        rubbed.lost = upper.mass * (had - upper.velocity.squaredNorm()) / 2;
-        const double normal = -closing / standing.contact->line.length * upper.mass;
+        const double normal = -closing / length * upper.mass;
+        rubbed.lost = lost_to_impulse(normal, before, before - closing / length);
         if (rule.friction > 0) {
           // Between the two as they are: what the ground carries is the normal impulse alone.
           const LineOfCentres& line = standing.contact->line;
@@ -89,6 +90,7 @@ void stop_on_ground(ContactGroup& group, const Domain& domain, const CollisionRu
           rubbed.impulse = friction.impulse;
           rubbed.lost += friction.lost;
         }
+        count.lost += rubbed.lost;
         if (count.log.wanted) group.note(*standing.contact, normal, rubbed, count.log);
         ContactGroup::rebound(upper, domain, soft, count);
       } else {

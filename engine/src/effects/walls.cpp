@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/dissipation.hpp"
 #include "effects/drag.hpp"
 #include "effects/rest.hpp"
 
@@ -38,8 +39,20 @@ std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule, 
       const double normal = bounces ? arrival + leaving : stopped;
       if (struck != nullptr) struck[k] = outwards * normal;
       if (met != nullptr) {
-        met->push_back({k, outwards > 0, bounces, bounces ? arrival : stopped, leaving, normal});
+        met->push_back({k, outwards > 0, bounces, arrival, leaving, normal});
       }
+    }
+    if (flight.lost != nullptr) {
+      double lost = lost_to_restitution(arrival, leaving, 1);
+      if (rule.drag_rate > 0) {
+        // Drag has had its way as far as the wall, not for the whole step.
+        const double started = outwards * flight.velocity[k] - half;
+        const double fallen =
+            (outwards * rule.acceleration + pull) * (outwards * (wall - flight.position[k]));
+        lost += (started * started - arrival * arrival) / 2 + fallen -
+                flight.glide.drag_loss.along(flight.velocity[k], flight.glide.acceleration);
+      }
+      flight.lost[k] += flight.mass[k] * lost;
     }
     flight.moved[k] = wall;
     flight.after[k] = -outwards * (leaving + half);

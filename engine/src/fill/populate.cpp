@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <thread>
 
 #include "carom/scene.hpp"
 #include "carom/scene_file.hpp"
@@ -182,13 +181,6 @@ std::vector<Ball> populate(const Scene& scene) {
     give_velocities(scene, number, balls, first);
   }
   return balls;
-}
-
-std::size_t worker_count(const Scene& scene, std::size_t balls) {
-  constexpr std::size_t kPerBallUpTo = 256;
-  if (scene.workers) return *scene.workers;
-  if (scene.per_ball || balls <= kPerBallUpTo) return std::max<std::size_t>(1, balls);
-  return std::max<std::size_t>(1, std::thread::hardware_concurrency());
 }
 
 }  // namespace carom

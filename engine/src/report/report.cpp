@@ -52,6 +52,7 @@ Report make_report(const Session& session) {
   report.scene = session.scene().name;
   report.time = simulation.time();
   report.method = simulation.method();
+  report.piles_up = choose_method(session.scene()).piles_up;
   report.step = simulation.step();
   report.digits = session.scene().solver.digits;
   report.workers = simulation.workers();
@@ -81,8 +82,9 @@ std::string to_json(const Report& report, bool with_state) {
   json["joint_impacts"] = measured.joint_impacts;
   json["resting_contacts"] = measured.resting_contacts;
   json["energy"] = {{"initial", measured.energy_initial},
-                    {"final", measured.energy_final},
                     {"input", measured.energy_input},
+                    {"dissipated", measured.energy_dissipated},
+                    {"final", measured.energy_final},
                     {"relative_error", measured.relative_energy_error()}};
   json["momentum"] = {{"initial", pair(measured.momentum_initial)},
                       {"final", pair(measured.momentum_final)}};

@@ -67,6 +67,17 @@ constexpr std::array kUnavailable{
 
 }  // namespace
 
+bool shares_the_plane(const Scene& scene) {
+  const Effects& effects = scene.effects;
+  const bool falls = effects.gravity.has_value();
+  const bool bends = falls || effects.drag;
+  const bool pegs = bends && std::any_of(scene.balls.begin(), scene.balls.end(),
+                                         [](const Ball& b) { return b.fixed; });
+  return flies_in_closed_form(scene) && effects.collisions && !effects.friction && !pegs &&
+         scene.solver.digits == 16 && !loses_energy(scene) && !(falls && effects.drag) &&
+         !(falls && (scene.box.periodic[0] || scene.box.periodic[1]));
+}
+
 std::vector<Problem> find_unavailable(const Scene& scene, Method method) {
   std::vector<Problem> problems;
   for (const Unavailable& entry : kUnavailable) {
@@ -78,3 +89,11 @@ std::vector<Problem> find_unavailable(const Scene& scene, Method method) {
 }
 
 }  // namespace carom::scene
+
+namespace carom {
+
+bool takes_steps(const Scene& scene) {
+  return choose_method(scene).method == Method::overlap || !scene::flies_in_closed_form(scene);
+}
+
+}  // namespace carom

@@ -5,29 +5,27 @@ namespace carom {
 
 namespace {
 
-// Balls that lose energy under gravity crowd together: until they rest event steps all of a pile at
-// once, again and again.
-bool will_pile_up(const Scene& scene) {
+// Under gravity balls that lose energy come to lie on each other: event steps all of a pile at once
+// until it rests, which takes long where they are many.
+bool can_pile_up(const Scene& scene) {
+  constexpr std::size_t kFew = 300;
   const Effects& effects = scene.effects;
   if (!effects.gravity || !effects.collisions) return false;
-  std::size_t moving = 0;
-  for (const Ball& ball : scene.balls) moving += ball.fixed ? 0 : 1;
+  if (!loses_energy(scene) && !effects.drag && !effects.friction) return false;
+  std::size_t moving = count_moving(scene.balls);
   for (const Fill& fill : scene.fills) moving += fill.count;
-  return loses_energy(effects) && moving > 1;
+  return moving > kFew;
 }
 
 }  // namespace
 
 MethodChoice choose_method(const Scene& scene) {
   if (scene.solver.method) return {*scene.solver.method, "the scene names it"};
-  const bool wide = scene.solver.digits > 16;
-  if (will_pile_up(scene) && !wide) {
-    return {Method::overlap,
-            "balls that lose energy pile up under gravity, which event pays dearly"};
-  }
   const std::string why_not = obstacle(scene, Method::event);
-  if (why_not.empty()) return {Method::event, "it can take the scene"};
-  return {Method::overlap, why_not};
+  if (!why_not.empty()) return {Method::overlap, why_not};
+  const bool wide = scene.solver.digits > 16;
+  if (can_pile_up(scene) && !wide) return {Method::overlap, kPilesUp, true};
+  return {Method::event, "it can take the scene"};
 }
 
 std::string obstacle(const Scene& scene, Method method) {

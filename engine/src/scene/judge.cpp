@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "scene/available.hpp"
 #include "scene/limits.hpp"
@@ -110,11 +112,71 @@ void judge_clock(const Scene& scene, Verdict& verdict) {
     verdict.add("/duration",
                 fmt::format("is {:g} frames at this frame rate, at most {:g} can be counted",
                             scene.duration * scene.frame_rate, kMostSteps));
-  } else if (duration && scene.solver.step >= kSmallest &&
+  } else if (duration && scene.solver.step >= kSmallest && takes_steps(scene) &&
              scene.duration / scene.solver.step > kMostSteps) {
     verdict.add("/duration",
                 fmt::format("takes {:g} steps of {:g}, at most {:g} can be counted",
                             scene.duration / scene.solver.step, scene.solver.step, kMostSteps));
+  }
+}
+
+// Method event follows a ball from wall to wall and from impact to impact.
+class PaceJudge {
+ public:
+  PaceJudge(const Scene& scene, Verdict& verdict)
+      : seconds_(scene.duration),
+        side_(std::min(scene.box.width, scene.box.height)),
+        height_(std::max(scene.box.width, scene.box.height)),
+        verdict_(verdict) {}
+
+  /// `place`: of the list, or of what there is one of; `number` in the list.
+  template <class Number>
+  void judge_speed(const char* place, const Number& number, const char* key, double speed) {
+    const double crossings = seconds_ * speed / side_;
+    if (told_ || !(speed <= kLargest) || !(crossings > kMostCrossings)) return;
+    told_ = true;
+    verdict_.add(fmt::format("{}{}/{}", place, number, key),
+                 fmt::format("makes a ball cross the box {:.3g} times in {:g} s, of which method "
+                             "\"event\" follows {:g} at most: use a lower one, a shorter "
+                             "duration, or \"overlap\"",
+                             crossings, seconds_, kMostCrossings));
+  }
+  [[nodiscard]] double speed(const Gravity& gravity) const {
+    return std::sqrt(gravity.acceleration.norm() * height_);
+  }
+
+ private:
+  double seconds_;
+  double side_;
+  double height_;
+  Verdict& verdict_;
+  bool told_ = false;
+};
+
+void judge_pace(const Scene& scene, const std::vector<std::size_t>& script_lines,
+                Verdict& verdict) {
+  if (choose_method(scene).method != Method::event || !has_box(scene)) return;
+  PaceJudge pace(scene, verdict);
+  for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+    const Ball& ball = scene.balls[i];
+    if (!ball.fixed) pace.judge_speed("/balls/", i, "velocity", ball.velocity.norm());
+  }
+  for (std::size_t i = 0; i < scene.fills.size(); ++i) {
+    const Fill& fill = scene.fills[i];
+    pace.judge_speed("/fill/", i, "temperature", std::sqrt(2 * fill.temperature / fill.mass));
+  }
+  if (scene.effects.gravity) {
+    pace.judge_speed("/effects", "", "gravity", pace.speed(*scene.effects.gravity));
+  }
+  for (std::size_t i = 0; i < scene.script.size(); ++i) {
+    const std::size_t line = i < script_lines.size() ? script_lines[i] : i;
+    const Command& command = scene.script[i].command;
+    if (const auto* add = std::get_if<command::Add>(&command)) {
+      pace.judge_speed("/script/", line, "ball/velocity", add->ball.velocity.norm());
+    } else if (const auto* set = std::get_if<command::SetEffects>(&command)) {
+      if (!set->effects.gravity) continue;
+      pace.judge_speed("/script/", line, "effects/gravity", pace.speed(*set->effects.gravity));
+    }
   }
 }
 
@@ -193,6 +255,7 @@ std::vector<Problem> judge(const Scene& scene, const std::vector<std::size_t>& s
   judge_workers(scene, verdict);
   judge_clock(scene, verdict);
   judge_script(scene, script_lines, verdict);
+  judge_pace(scene, script_lines, verdict);
   judge_continuation(scene, verdict);
   return verdict.take();
 }

@@ -80,16 +80,26 @@ void judge_overlaps(const Scene& scene, const std::vector<std::size_t>& good, Ve
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return scene.balls[a].radius > scene.balls[b].radius;
   });
-  DiskGrid grid(scene.box);
+  // Fixed balls may overlap each other: only what moves is looked at by them.
+  DiskGrid moving(scene.box);
+  DiskGrid fixed(scene.box);
+  std::vector<std::size_t> moving_balls;
+  std::vector<std::size_t> fixed_balls;
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (const std::size_t i : order) {
     const Ball& ball = scene.balls[i];
-    const std::size_t rest = kMostOverlapsTold - pairs.size();
-    if (rest == 0) break;
-    for (const std::size_t k : grid.overlapping(ball.position, ball.radius, rest)) {
-      pairs.emplace_back(std::max(i, order[k]), std::min(i, order[k]));
-    }
-    grid.insert(ball.position, ball.radius);
+    const auto look = [&](DiskGrid& grid, const std::vector<std::size_t>& in_grid) {
+      const std::size_t rest = kMostOverlapsTold - pairs.size();
+      if (rest == 0) return;
+      for (const std::size_t k : grid.overlapping(ball.position, ball.radius, rest)) {
+        pairs.emplace_back(std::max(i, in_grid[k]), std::min(i, in_grid[k]));
+      }
+    };
+    look(moving, moving_balls);
+    if (!ball.fixed) look(fixed, fixed_balls);
+    if (pairs.size() == kMostOverlapsTold) break;
+    (ball.fixed ? fixed : moving).insert(ball.position, ball.radius);
+    (ball.fixed ? fixed_balls : moving_balls).push_back(i);
   }
   std::sort(pairs.begin(), pairs.end());
   for (const auto& [second, first] : pairs) {

@@ -17,6 +17,8 @@ inline constexpr std::size_t kMostWorkers = 1'000'000;
 inline constexpr double kBoxToRadius = 1e12;
 /// Steps and frames are counted exactly up to here.
 inline constexpr double kMostSteps = 0x1p53;
+/// Impacts that are followed one by one: as often may a ball cross the box.
+inline constexpr double kMostCrossings = 1e10;
 /// Overlapping pairs that are told one by one.
 inline constexpr std::size_t kMostOverlapsTold = 1000;
 

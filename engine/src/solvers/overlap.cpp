@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "contact/skin.hpp"
@@ -24,7 +25,7 @@ OverlapSolver::OverlapSolver(const Scene& scene, const std::vector<Ball>& balls,
       effects_(scene.effects),
       balls_(balls, scene.effects),
       choice_(pairs),
-      plan_(scene.effects, balls.size(), worker_count(scene, balls.size())),
+      plan_(scene.effects, balls.size(), worker_count(scene, balls.size(), count_moving(balls))),
       step_(scene.solver.step) {
   if (scene.continuation) {
     step_origin_ = scene.continuation->step_origin;
@@ -115,7 +116,7 @@ void OverlapSolver::fly(Share share) {
       fly(i, block_end, desk, &struck);
       const Stopwatch stopwatch(timed(), desk.seconds.of<Friction>());
       effects::RubbedBlock rubbed;
-      effects::rub_walls(balls_, i, block_end - i, struck, rule_.wall_friction,
+      effects::rub_walls(balls_, i, block_end - i, struck, rule_.wall_friction, &lost_[i],
                          recording_ ? &rubbed : nullptr);
       if (recording_) note_walls(i, &rubbed, desk);
     } else {
@@ -131,6 +132,7 @@ void OverlapSolver::fly(std::size_t begin, std::size_t end, Desk& desk, effects:
     const Glide& glide = glide_[axis];
     Flight flight;
     prepare(flight, balls_, axis, begin, end, step_, glide);
+    if (!lost_.empty()) flight.lost = lost_.data() + begin;
     if (drag_rate_ > 0) {
       const Stopwatch stopwatch(timed(), desk.seconds.of<Drag>());
       effects::drag(flight);
@@ -252,7 +254,7 @@ std::size_t OverlapSolver::after_detection() {
                          groups_.largest() * 2 < groups_.pairs();
   if (resolve_ && share_out) return *resolve_;
   for (std::size_t g = 0; g < groups_.count(); ++g) {
-    resolver_.resolve(balls_, groups_.group(g), desks_.front().impacts);
+    resolve_group(g, desks_.front().impacts);
   }
   return after_impacts();
 }
@@ -261,8 +263,15 @@ void OverlapSolver::resolve(Share share) {
   Desk& desk = desks_[share.index];
   const Stopwatch stopwatch(timed(), desk.seconds.of<Collisions>());
   for (std::size_t g = share.begin(groups_.count()); g < share.end(groups_.count()); ++g) {
-    resolver_.resolve(balls_, groups_.group(g), desk.impacts);
+    resolve_group(g, desk.impacts);
   }
+}
+
+// Each ball is in one group: what a group loses is noted with its first.
+void OverlapSolver::resolve_group(std::size_t group, effects::ImpactCount& count) {
+  const std::span<const Pair> pairs = groups_.group(group);
+  const double lost = resolver_.resolve(balls_, pairs, count);
+  if (!lost_.empty()) lost_[pairs.front().first] += lost;
 }
 
 std::size_t OverlapSolver::after_impacts() {
@@ -341,6 +350,10 @@ void OverlapSolver::remove(std::size_t ball) {
   std::vector<Ball> balls = balls_.to_vector();
   balls.erase(balls.begin() + static_cast<std::ptrdiff_t>(ball));
   balls_ = Balls(balls, effects_);
+  if (!lost_.empty()) {
+    lost_before_ += lost_[ball];
+    lost_.erase(lost_.begin() + static_cast<std::ptrdiff_t>(ball));
+  }
   pull_known_ = false;
   for (auto& turns : turns_) {
     if (!turns.empty()) turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(ball));
@@ -379,6 +392,7 @@ void OverlapSolver::renew_rules() {
     rule_.friction = effects_.friction->balls;
     rule_.wall_friction = effects_.friction->walls;
   }
+  if (loses() || !lost_.empty()) lost_.resize(balls_.size(), 0.0);
   forget_pairs();
   smallest_radius_ = std::numeric_limits<double>::infinity();
   for (const double radius : balls_.radius) smallest_radius_ = std::min(smallest_radius_, radius);
@@ -396,6 +410,10 @@ void OverlapSolver::renew_rules() {
   }
 }
 
+bool OverlapSolver::loses() const {
+  return loses_energy(effects_) || drag_rate_ > 0 || effects_.friction;
+}
+
 // --- looking ----------------------------------------------------------------------------------
 
 double OverlapSolver::energy() const {
@@ -407,6 +425,10 @@ double OverlapSolver::energy() const {
     sum += effects::attraction_energy(balls_, domain_, *effects_.attraction);
   }
   return sum;
+}
+
+double OverlapSolver::dissipated() const {
+  return std::accumulate(lost_.begin(), lost_.end(), lost_before_);
 }
 
 void OverlapSolver::count(Measurements& measurements) const {

@@ -61,6 +61,7 @@ class OverlapSolver final : public Solver {
   [[nodiscard]] std::vector<Ball> state() const override { return balls_.to_vector(); }
   [[nodiscard]] std::string state_hash() const override { return carom::state_hash(balls_); }
   [[nodiscard]] double energy() const override;
+  [[nodiscard]] double dissipated() const override;
   [[nodiscard]] Vec2 momentum() const override { return carom::momentum(balls_); }
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;
@@ -95,6 +96,8 @@ class OverlapSolver final : public Solver {
   [[nodiscard]] std::size_t after_pull();
   [[nodiscard]] std::size_t end_step();
 
+  [[nodiscard]] bool loses() const;
+  void resolve_group(std::size_t group, effects::ImpactCount& count);
   void renew_rules();
   void forget_pairs();
   [[nodiscard]] bool collides() const { return effects_.collisions && effects_.collisions->on; }
@@ -126,13 +129,15 @@ class OverlapSolver final : public Solver {
   bool in_step_ = false;
   bool recording_ = false;
   Turns turns_;
+  std::vector<double> lost_;  // the energy that each ball's impacts and drag took; empty: none
+  double lost_before_ = 0;    // of balls that are gone
 
   // What a step takes of the effects, worked out anew where one of them or the step changes.
   double drag_rate_ = 0;
   std::array<Glide, 2> glide_;
   std::array<effects::WallRule, 2> wall_rule_;
   effects::CollisionRule rule_;
-  effects::GroupResolver resolver_{domain_, rule_};
+  effects::GroupResolver resolver_{domain_, rule_, turns_};
   PairList all_pairs_;
   CellGrid grid_;
   std::array<Balls::Column, 2> anchor_;  // where the balls were when the list was built

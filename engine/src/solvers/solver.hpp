@@ -45,6 +45,8 @@ class Solver {
   [[nodiscard]] virtual std::string state_hash() const = 0;
   /// Kinetic and potential.
   [[nodiscard]] virtual double energy() const = 0;
+  /// The energy that restitution, friction and drag have taken so far, each by its own formula.
+  [[nodiscard]] virtual double dissipated() const = 0;
   [[nodiscard]] virtual Vec2 momentum() const = 0;
   /// Adds what the solver has counted: impacts, deepest overlap, seconds of the effects.
   virtual void count(Measurements& measurements) const = 0;

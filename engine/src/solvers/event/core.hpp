@@ -83,6 +83,8 @@ class Core {
   [[nodiscard]] virtual Turns turns() const = 0;
   /// The energy that gravity has given to stepped contacts ahead of the fall of their next step.
   [[nodiscard]] virtual double energy_ahead() const = 0;
+  /// The energy that impacts and drag have taken since the start.
+  [[nodiscard]] virtual double dissipated() const = 0;
   [[nodiscard]] virtual Tally tally() const = 0;
   /// As in Solver: notes impacts, and gives those noted since the last call.
   virtual void record_impacts(bool /*wanted*/) {}

@@ -33,6 +33,7 @@ class EventSolver final : public Solver {
   }
   [[nodiscard]] std::string state_hash() const override;
   [[nodiscard]] double energy() const override;
+  [[nodiscard]] double dissipated() const override { return core_->dissipated(); }
   [[nodiscard]] Vec2 momentum() const override;
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;

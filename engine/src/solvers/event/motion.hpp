@@ -65,13 +65,21 @@ class Motion {
   /// Starts the flight anew where it is at `now`.
   void carry(Disk& disk, At now) const;
   /// `spin`: of the ball, counter-clockwise; null where balls do not rub.
-  void bounce(Disk& disk, S* spin, Index wall, At now) const;
-  /// The impact of two balls; gives how deep they overlapped, as a part of the smaller radius.
-  double strike(Disk& a, S* spin_a, Disk& b, S* spin_b, At now) const;
-  /// What friction does in such an impact, to balls that are where they meet, r apart.
-  void rub(Disk& a, S& spin_a, Disk& b, S& spin_b, const Vec<S>& r) const;
+  /// Gives the energy that the impact takes.
+  double bounce(Disk& disk, S* spin, Index wall, At now) const;
+  struct Strike {
+    double overlap;  ///< how deep the two overlapped, as a part of the smaller radius
+    double lost;     ///< the energy that it takes
+  };
+  /// The impact of two balls.
+  Strike strike(Disk& a, S* spin_a, Disk& b, S* spin_b, At now) const;
+  /// What friction does in such an impact, to balls that are where they meet, r apart; gives the
+  /// energy it takes.
+  double rub(Disk& a, S& spin_a, Disk& b, S& spin_b, const Vec<S>& r) const;
   /// The same at a wall, that the ball comes to at the speed `arrival`.
-  void rub_wall(Disk& disk, S& spin, std::size_t axis, int side, const S& arrival) const;
+  double rub_wall(Disk& disk, S& spin, std::size_t axis, int side, const S& arrival) const;
+  /// What drag takes from a flight till `now`.
+  [[nodiscard]] double drag_loss(const Disk& disk, At now) const;
 
   [[nodiscard]] const Rules& rules() const { return rules_; }
   [[nodiscard]] const typename P::Law& law() const { return law_; }
@@ -141,9 +149,10 @@ class Motion {
     return carried(disk) == kResting || carried(disk) == kStepped;
   }
   /// Lets walls carry it where it touches them, is pressed to them and leaves them no more.
-  void lean_on_walls(Disk& disk) const requires kCanRest;
-  /// The same on the very top of a fixed ball; whether that carries it.
-  bool lean_on_peg(Disk& disk, const Disk& peg) const requires kCanRest;
+  /// Gives the energy of the hops that it no longer does.
+  double lean_on_walls(Disk& disk) const requires kCanRest;
+  /// The same on the very top of a fixed ball.
+  double lean_on_peg(Disk& disk, const Disk& peg) const requires kCanRest;
   /// Whether a wall that carries it slows it down by friction.
   [[nodiscard]] bool slips(const Disk& disk, const S& spin) const requires kCanRest;
   /// Rule 2: whether two that touch part no more: so slowly that the run cannot tell.
@@ -183,6 +192,8 @@ class Motion {
   [[nodiscard]] bool is_at_wall(const Disk& disk, At now) const requires kCanRest;
   [[nodiscard]] bool just_hit(const Disk& disk, const S& reach, const S& speed, At now,
                               const S& part) const requires kCanRest;
+  /// Of a ball that is stopped.
+  [[nodiscard]] double moving_energy(const Disk& disk, const S& speed) const;
   [[nodiscard]] Rubbing<S> rubbing(const Disk& disk, const S& spin) const;
   /// Whether it goes less than a quick bound says within `wait`, and so far it is from all that it
   /// can meet alone.

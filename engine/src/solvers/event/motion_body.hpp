@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/dissipation.hpp"
 #include "contact/pair_impact.hpp"
 #include "contact/rest_rules.hpp"
 #include "solvers/event/lanes.hpp"
@@ -236,7 +237,7 @@ void Motion<P>::carry(Disk& disk, At now) const {
 }
 
 template <class P>
-void Motion<P>::bounce(Disk& disk, S* spin, Index wall, At now) const {
+double Motion<P>::bounce(Disk& disk, S* spin, Index wall, At now) const {
   const std::size_t axis = (wall - kWalls) / 2;
   const bool upper = (wall - kWalls) % 2 == 1;
   const S& radius = kind(disk).radius;
@@ -247,9 +248,33 @@ void Motion<P>::bounce(Disk& disk, S* spin, Index wall, At now) const {
   const S arrival = law_of(disk).wall_arrival(axis, side, S(side * (x - stop)), S(side * v),
                                               rules_.scale.seconds(now - disk.start));
   carry(disk, now);
-  if (spin != nullptr) rub_wall(disk, *spin, axis, side, arrival);
+  double lost = 0;
+  if (spin != nullptr) lost = rub_wall(disk, *spin, axis, side, arrival);
   x = stop;
   v = side * wall_impact(arrival, S(rules_.wall_restitution));
+  if (rules_.wall_restitution < 1) {
+    const auto speed = static_cast<double>(arrival);
+    lost += lost_to_restitution(speed, rules_.wall_restitution * speed,
+                                static_cast<double>(kind(disk).inverse_mass));
+  }
+  return lost;
+}
+
+template <class P>
+double Motion<P>::moving_energy(const Disk& disk, const S& speed) const {
+  return lost_to_restitution(static_cast<double>(speed), 0,
+                             static_cast<double>(kind(disk).inverse_mass));
+}
+
+template <class P>
+double Motion<P>::drag_loss(const Disk& disk, At now) const {
+  if (fixed(disk) || now == disk.start) return 0;
+  const auto seconds = static_cast<double>(S(rules_.scale.seconds(now - disk.start)));
+  const DragLoss loss(rules_.drag_rate, seconds);
+  const auto& law = law_of(disk);
+  const double x = loss.along(static_cast<double>(disk.vx), static_cast<double>(S(law.pull(0))));
+  const double y = loss.along(static_cast<double>(disk.vy), static_cast<double>(S(law.pull(1))));
+  return (x + y) / static_cast<double>(kind(disk).inverse_mass);
 }
 
 template <class P>
@@ -259,11 +284,11 @@ Rubbing<typename P::Scalar> Motion<P>::rubbing(const Disk& disk, const S& spin) 
 
 // Before the normal impulse, which then has the last word on whether the two still approach.
 template <class P>
-void Motion<P>::rub(Disk& a, S& spin_a, Disk& b, S& spin_b, const Vec<S>& r) const {
+double Motion<P>::rub(Disk& a, S& spin_a, Disk& b, S& spin_b, const Vec<S>& r) const {
   const Rubbing<S> one = rubbing(a, spin_a);
   const Rubbing<S> other = rubbing(b, spin_b);
   const S approach = approach_speed(r, other.velocity - one.velocity);
-  if (!(approach > 0) || (kind(a).fixed() && kind(b).fixed())) return;
+  if (!(approach > 0) || (kind(a).fixed() && kind(b).fixed())) return 0;
   const Rub<S> rub(one, other, r, S((1 + S(rules_.restitution)) * approach), S(rules_.friction));
   const auto take = [](Disk& disk, S& spin, const Rubbed<S>& got) {
     disk.vx += got.velocity.x;
@@ -272,10 +297,12 @@ void Motion<P>::rub(Disk& a, S& spin_a, Disk& b, S& spin_b, const Vec<S>& r) con
   };
   take(a, spin_a, rub.on(one, -1, S(1)));
   take(b, spin_b, rub.on(other, 1, S(1)));
+  return rub.loss();
 }
 
 template <class P>
-void Motion<P>::rub_wall(Disk& disk, S& spin, std::size_t axis, int side, const S& arrival) const {
+double Motion<P>::rub_wall(Disk& disk, S& spin, std::size_t axis, int side,
+                           const S& arrival) const {
   const Rubbing<S> ball = rubbing(disk, spin);
   const Rubbing<S> wall{{S(0), S(0)}, S(0), S(0), S(0)};
   const Vec<S> towards = axis == 0 ? Vec<S>{S(-side), S(0)} : Vec<S>{S(0), S(-side)};
@@ -284,16 +311,20 @@ void Motion<P>::rub_wall(Disk& disk, S& spin, std::size_t axis, int side, const 
   const Rubbed<S> got = rub.on(ball, -1, S(1));
   (axis == 0 ? disk.vy : disk.vx) += axis == 0 ? got.velocity.y : got.velocity.x;
   spin += got.spin;
+  return rub.loss();
 }
 
 template <class P>
-double Motion<P>::strike(Disk& a, S* spin_a, Disk& b, S* spin_b, At now) const {
+auto Motion<P>::strike(Disk& a, S* spin_a, Disk& b, S* spin_b, At now) const -> Strike {
   const Kind& ka = kind(a);
   const Kind& kb = kind(b);
   if (!ka.fixed()) carry(a, now);
   if (!kb.fixed()) carry(b, now);
   const Vec<S> r = way({a.x, a.y}, {b.x, b.y});
-  if (spin_a != nullptr) rub(a, *spin_a, b, *spin_b, r);
+  double lost = 0;
+  if (spin_a != nullptr) lost = rub(a, *spin_a, b, *spin_b, r);
+  const Vec<S> before = Vec<S>{b.vx, b.vy} - Vec<S>{a.vx, a.vy};
+  double restitution = rules_.restitution;
   Velocities<S> after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass,
                                     kb.inverse_mass, S(rules_.restitution));
   if constexpr (kCanRest) {
@@ -301,16 +332,27 @@ double Motion<P>::strike(Disk& a, S* spin_a, Disk& b, S* spin_b, At now) const {
         stays_together(r, after.b - after.a, S(ka.radius + kb.radius))) {
       after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass,
                           kb.inverse_mass, S(0));
+      restitution = 0;
     }
   }
   a.vx = after.a.x;
   a.vy = after.a.y;
   b.vx = after.b.x;
   b.vy = after.b.y;
+  if (restitution < 1) {
+    const S speed = approach_speed(r, before);
+    const S inverse_masses = ka.inverse_mass + kb.inverse_mass;
+    if (speed > 0 && inverse_masses > 0) {
+      const auto approach = static_cast<double>(speed);
+      lost += lost_to_restitution(approach, restitution * approach,
+                                  static_cast<double>(inverse_masses));
+    }
+  }
   const S reach = ka.radius + kb.radius;
   const S square = r.x * r.x + r.y * r.y;
-  if (!(square < reach * reach)) return 0;
-  return static_cast<double>(S((reach - root(square)) / std::min(ka.radius, kb.radius)));
+  if (!(square < reach * reach)) return {0, lost};
+  const S depth = (reach - root(square)) / std::min(ka.radius, kb.radius);
+  return {static_cast<double>(depth), lost};
 }
 
 }  // namespace carom::event

@@ -34,9 +34,10 @@ bool Motion<P>::stays_down(const S& v, const S& a, const S& restitution,
 }
 
 template <class P>
-void Motion<P>::lean_on_walls(Disk& disk) const requires kCanRest {
+double Motion<P>::lean_on_walls(Disk& disk) const requires kCanRest {
   const Vec<S>& g = law_.pull();
   unsigned axes = 0;
+  double lost = 0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const S& a = axis == 0 ? g.x : g.y;
     if (a == 0 || !room_.solid(axis)) continue;
@@ -49,25 +50,27 @@ void Motion<P>::lean_on_walls(Disk& disk) const requires kCanRest {
     if (away > 0 && !stays_down(away, absolute(a), S(rules_.wall_restitution), S(2 * radius))) {
       continue;
     }
+    lost += moving_energy(disk, v);
     v = 0;
     axes |= axis == 0 ? 1U : 2U;
   }
   set_carried(disk, axes);
+  return lost;
 }
 
 template <class P>
-bool Motion<P>::lean_on_peg(Disk& disk, const Disk& peg) const requires kCanRest {
+double Motion<P>::lean_on_peg(Disk& disk, const Disk& peg) const requires kCanRest {
   const Vec<S> r = way({peg.x, peg.y}, {disk.x, disk.y});
   const Vec<S> v{disk.vx, disk.vy};
   const Vec<S>& g = law_.pull();
-  if (!straight_up(r, v, g)) return false;
+  if (!straight_up(r, v, g)) return 0;
   const S away = root(S(v.x * v.x + v.y * v.y));
   const S reach = kind(disk).radius + kind(peg).radius;
-  if (away > 0 && !stays_down(away, pull_, S(rules_.restitution), reach)) return false;
+  if (away > 0 && !stays_down(away, pull_, S(rules_.restitution), reach)) return 0;
   disk.vx = 0;
   disk.vy = 0;
   set_carried(disk, kLying);
-  return true;
+  return moving_energy(disk, away);
 }
 
 template <class P>

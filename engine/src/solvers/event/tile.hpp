@@ -12,6 +12,7 @@
 #include "contact/joint_impact.hpp"
 #include "solvers/event/agenda.hpp"
 #include "solvers/event/disk.hpp"
+#include "solvers/event/energy_book.hpp"
 #include "solvers/event/huge_pages.hpp"
 #include "solvers/event/journal.hpp"
 #include "solvers/event/motion.hpp"
@@ -107,6 +108,8 @@ class Tile {
   /// along; empty for other axes.
   [[nodiscard]] const Turns& turns() const { return turns_; }
   [[nodiscard]] std::size_t bytes() const;
+  /// The energy that impacts since it was made have taken, and drag from flights that are over.
+  [[nodiscard]] double lost() const { return book_.lost(); }
   /// From a sample of the events, scaled to all.
   [[nodiscard]] Costs costs() const;
 
@@ -166,6 +169,7 @@ class Tile {
   void meet_alone(Index i, Index partner, At now);
   void forget(Index i);
   void look_again(Index i, At now);
+  void end_flight(Index i, At now);
   void count_turns(Index i, At now);
   void watch(At now);
 
@@ -219,7 +223,8 @@ class Tile {
   void meet_jointly(Index i, Index partner, At now);
   [[nodiscard]] JointReport resolve(Instant& instant,
                                     JointLog* log) const;  // tile_friction_body.hpp
-  void rub_jointly(Instant& instant, JointLog* log) const;
+  /// Gives the energy that friction takes.
+  double rub_jointly(Instant& instant, JointLog* log) const;
   void note_instant(const Instant& instant, At now, Index ball_ball, Index ball_wall) const;
   void add_member(Instant& instant, Index i, At now) const;
   void add_contacts(Instant& instant, std::size_t member, At now);
@@ -244,6 +249,7 @@ class Tile {
   };
   [[nodiscard]] CrowdEnergy energy_of(const Gathering& crowd,
                                       const S& span) const requires kCanRest;
+  void note_loss(const Gathering& crowd, const S& had, const S& span) requires kCanRest;
   void slow_down(Gathering& crowd, const S& had, const S& span) const requires kCanRest;
   void join(Gathering& crowd, Index i, At now) requires kCanRest;
   void gather(Gathering& crowd, At now) requires kCanRest;
@@ -256,7 +262,8 @@ class Tile {
   Agenda<typename P::Clock> agenda_;
   Counts counts_;
   Turns turns_;
-  std::vector<Disk> counted_;  ///< the flights that `turns_` has taken note of; empty: none
+  EnergyBook book_;
+  std::vector<Disk> counted_;  ///< the flights that `turns_` and drag have note of; empty: none
   Costs sampled_;              ///< of the events that were timed
   double crowd_seconds_ = 0;   ///< of all steps and impacts of crowds
   std::uint64_t samples_ = 0;  ///< events that were timed

@@ -53,13 +53,6 @@ void Tile<P>::begin(const std::vector<Disk>& disks, At now, const Plot& plot) {
   } else {
     left_.clear();
   }
-  counted_.clear();
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    turns_[axis].clear();
-    if (!motion_.rules().falls_round(axis)) continue;
-    turns_[axis].resize(n, 0);
-    counted_.assign(disks_.begin(), disks_.end());
-  }
   ties_.clear();
   instant_ = now;
   at_once_ = 0;
@@ -67,6 +60,16 @@ void Tile<P>::begin(const std::vector<Disk>& disks, At now, const Plot& plot) {
   watched_ = 0;
   next_step_ = P::Clock::never();
   if constexpr (kCanRest) start_resting(now);
+  counted_.clear();
+  bool counts = motion_.rules().drag_rate > 0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    turns_[axis].clear();
+    if (!motion_.rules().falls_round(axis)) continue;
+    turns_[axis].resize(n, 0);
+    counts = true;
+  }
+  // What a part of the plane solves may be taken back.
+  if (counts && plot.slots == 0) counted_.assign(disks_.begin(), disks_.end());
   reached_ = now;
   start_agenda(now, plot.area());
   if (motion_.rules().collisions) {

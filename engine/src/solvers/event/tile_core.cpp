@@ -11,7 +11,8 @@ namespace carom::event {
 
 namespace {
 
-constexpr double kRoomForSpeed = 4;  // of the light balls of a mixture, in thermal speeds
+constexpr double kRoomForSpeed = 4;           // of the light balls of a mixture, in thermal speeds
+constexpr double kMostRoomForSpeed = 0x1p16;  // of the fastest at the start
 
 }  // namespace
 
@@ -39,7 +40,8 @@ double crossing_time(const Domain& domain, const Effects& effects, const std::ve
   double speed = std::sqrt(square) + std::sqrt(std::abs(gx) * width + std::abs(gy) * height);
   if (moving > 0) {
     const double share = energy / static_cast<double>(moving);
-    speed = std::max(speed, kRoomForSpeed * std::sqrt(share / lightest));
+    const double most = kMostRoomForSpeed * speed;
+    speed = std::max(speed, std::min(most, kRoomForSpeed * std::sqrt(share / lightest)));
   }
   return speed > 0 ? std::min(width, height) / speed : 1;
 }

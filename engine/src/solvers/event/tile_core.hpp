@@ -35,6 +35,7 @@ class TileCore final : public Core {
   [[nodiscard]] std::vector<ExactPosition> exact_positions() const override;
   [[nodiscard]] Turns turns() const override { return turns(true); }
   [[nodiscard]] double energy_ahead() const override;
+  [[nodiscard]] double dissipated() const override;
   [[nodiscard]] Tally tally() const override;
   void save(Continuation& continuation) const override;
   void record_impacts(bool wanted) override;
@@ -69,6 +70,8 @@ class TileCore final : public Core {
   /// How often each ball was brought back round a periodic axis that gravity pulls along, in the
   /// flights that are over, and in the present ones if so asked.
   [[nodiscard]] Turns turns(bool of_present_flights) const;
+  /// What drag has taken from the present flights till now; in windows, since they began.
+  [[nodiscard]] double present_drag() const;
   void start();
   void take_flights(const Continuation& from, const std::string& source);
   void collect_log();
@@ -91,7 +94,10 @@ class TileCore final : public Core {
   std::uint64_t again_ = 0;              // solved again by windows that are gone
   Counts before_;                        // counted in tiles that are gone
   Costs costs_before_;
-  Turns turns_before_;  // in the order of the balls
+  double lost_before_ = 0;     // energy
+  double windows_energy_ = 0;  // kinetic, as they began,
+  Moment windows_began_;       // then
+  Turns turns_before_;         // in the order of the balls
   Moment now_;
   Moment target_;
   ImpactLog log_;              // of the tile, in the present era

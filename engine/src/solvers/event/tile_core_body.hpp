@@ -10,6 +10,7 @@
 #include "carom/scene_file.hpp"
 #include "solvers/event/saved_flight.hpp"
 #include "solvers/event/tile_core.hpp"
+#include "state/totals.hpp"
 
 namespace carom::event {
 
@@ -271,6 +272,7 @@ void TileCore<P>::land() {
   before_.resting_contacts += counts().resting_contacts;
   before_.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
   costs_before_ += costs();
+  lost_before_ = dissipated();
   if constexpr (kShares) {
     if (windows_) again_ += windows_->solved_again();
   }
@@ -312,6 +314,10 @@ void TileCore<P>::start() {
       windows_ = std::make_unique<Windows<P>>(rules, sharing_);
       windows_->reset(std::move(disks), now_.ticks);
       flights_.clear();
+      std::vector<Ball> balls = balls_;
+      look(balls);
+      windows_energy_ = kinetic_energy(Balls(balls));
+      windows_began_ = now_;
       return;
     }
   }
@@ -330,6 +336,31 @@ void TileCore<P>::start() {
   tile_->reset(disks, now_.ticks, left, spins);
   if (log_.wanted) tile_->note_in(&log_);
   flights_.clear();
+  // What was taken from these flights before has been counted already.
+  lost_before_ -= present_drag();
+}
+
+// In windows nothing but drag loses energy, and without gravity it takes the same part of every
+// ball's, whatever its impacts.
+template <class P>
+double TileCore<P>::present_drag() const {
+  if (!effects_.drag || !(effects_.drag->rate > 0)) return 0;
+  if constexpr (kShares) {
+    if (windows_) {
+      const double eras = now_.era - windows_began_.era;
+      const double seconds = scale_.seconds(now_.ticks) - scale_.seconds(windows_began_.ticks) +
+                             eras * scale_.seconds(P::Clock::era());
+      return -std::expm1(-2 * effects_.drag->rate * seconds) * windows_energy_;
+    }
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < slot_.size(); ++i) sum += motion().drag_loss(flight(i), now_.ticks);
+  return sum;
+}
+
+template <class P>
+double TileCore<P>::dissipated() const {
+  return lost_before_ + (tile_ ? tile_->lost() : 0) + present_drag();
 }
 
 // Impacts are noted by one tile alone: parts of the plane take some of theirs back.

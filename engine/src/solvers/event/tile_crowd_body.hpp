@@ -126,6 +126,7 @@ void Tile<P>::fly_on(Gathering& crowd, At now) requires kCanRest {
   for (std::size_t m = 0; m < crowd.members.size(); ++m) {
     if (crowd.carried[m] < kResting) lean(crowd.members[m]);
   }
+  book_.keep();
   for (const Index i : crowd.members) look_again(i, now);
 }
 
@@ -251,6 +252,7 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) requires kCanRest {
     S& v = x ? crowd.bodies[a].velocity.x : crowd.bodies[a].velocity.y;
     if ((x ? crowd.contacts[k].normal.x : crowd.contacts[k].normal.y) * v > 0) v = 0;
   }
+  note_loss(crowd, had, span);
   fly_on(crowd, now);
 }
 
@@ -315,6 +317,12 @@ void Tile<P>::slow_down(Gathering& crowd, const S& had, const S& span) const req
   }
 }
 
+// The contacts of a crowd only take: what they have taken is what it has less.
+template <class P>
+void Tile<P>::note_loss(const Gathering& crowd, const S& had, const S& span) requires kCanRest {
+  book_.note(static_cast<double>(S(had - energy_of(crowd, span).all())) / 2);
+}
+
 template <class P>
 double Tile<P>::given_ahead(At now) const requires kCanRest {
   double sum = 0;
@@ -342,13 +350,6 @@ void Tile<P>::step_crowd(Gathering& crowd, At now) requires kCanRest {
   for (CrowdBody& body : crowd.bodies) body.velocity = body.velocity + span * g;
   Crowd whole(crowd.bodies, crowd.contacts);
   const std::vector<S> loads = whole.resolve(crowd.bodies, S(1 / span), S(kSolved * speed), true);
-
-  if (log_ != nullptr) {
-    CrowdLog log;
-    log.counted.resize(loads.size(), 0);
-    for (const S& load : loads) log.impulses.push_back(static_cast<double>(load));
-    log_crowd(crowd, log, now);
-  }
 
   std::vector<std::size_t> set(n);
   std::iota(set.begin(), set.end(), 0U);
@@ -439,6 +440,14 @@ void Tile<P>::step_crowd(Gathering& crowd, At now) requires kCanRest {
     crowd.carried[a] = 0;
   }
   slow_down(crowd, had, span);
+  if (log_ != nullptr) {
+    CrowdLog log;
+    log.counted.resize(loads.size(), 0);
+    for (const S& load : loads) log.impulses.push_back(static_cast<double>(load));
+    log.lost = static_cast<double>(S(had - energy_of(crowd, span).all())) / 2;
+    log_crowd(crowd, log, now);
+  }
+  note_loss(crowd, had, span);
   fly_on(crowd, now);
 }
 

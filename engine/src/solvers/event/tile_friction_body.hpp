@@ -21,13 +21,15 @@ namespace carom::event {
 /// Sums are rounded once, so that no order is seen.
 template <class P>
 JointReport Tile<P>::resolve(Instant& instant, JointLog* log) const {
-  if (!spins_.empty()) rub_jointly(instant, log);
+  const double rubbed = spins_.empty() ? 0 : rub_jointly(instant, log);
   JointImpact<S> impact(instant.bodies, instant.contacts, log == nullptr ? nullptr : &log->strokes);
-  return impact.resolve();
+  JointReport report = impact.resolve();
+  report.lost += rubbed;
+  return report;
 }
 
 template <class P>
-void Tile<P>::rub_jointly(Instant& instant, JointLog* log) const {
+double Tile<P>::rub_jointly(Instant& instant, JointLog* log) const {
   const auto& rules = motion_.rules();
   std::vector<Body<S>> bodies = instant.bodies;
   JointImpact<S> normal(bodies, instant.contacts);
@@ -65,7 +67,7 @@ void Tile<P>::rub_jointly(Instant& instant, JointLog* log) const {
              sum_of_products(a.radius, a.spin, b.radius, b.spin));
   };
   std::vector<S> slips(gains.size(), S(0));
-  if (log != nullptr) log->rubbed.resize(gains.size());
+  std::vector<carom::Rubbed> rubbed(gains.size());
   for (std::size_t k = 0; k < gains.size(); ++k) {
     const Contact<S>& c = instant.contacts[k];
     if (!(gains[k] > 0) || !(moves(c.a) || moves(c.b))) continue;
@@ -74,10 +76,8 @@ void Tile<P>::rub_jointly(Instant& instant, JointLog* log) const {
     const S coefficient = c.b == kWall ? rules.wall_friction : rules.friction;
     const Rub<S> rub(a, b, c.r, gains[k], coefficient);
     const int most = std::max(moves(c.a) ? rubs[index(c.a)] : 1, moves(c.b) ? rubs[index(c.b)] : 1);
-    if (log != nullptr) {
-      slips[k] = slip(c);
-      log->rubbed[k].impulse = static_cast<double>(S(rub.impulse() / most));
-    }
+    slips[k] = slip(c);
+    rubbed[k].impulse = static_cast<double>(S(rub.impulse() / most));
     const auto take = [&](int body, const Rubbing<S>& disk, int side) {
       if (!moves(body)) return;
       const Rubbed<S> got = rub.on(disk, side, S(S(1) / most));
@@ -93,13 +93,15 @@ void Tile<P>::rub_jointly(Instant& instant, JointLog* log) const {
     v = v + Vec<S>{sums[k].x.rounded(), sums[k].y.rounded()};
     instant.spins[k] += sums[k].spin.rounded();
   }
-  if (log == nullptr) return;
+  ExactSum<double> lost;
   for (std::size_t k = 0; k < slips.size(); ++k) {
-    carom::Rubbed& rubbed = log->rubbed[k];
-    if (rubbed.impulse == 0) continue;
-    const auto mean = static_cast<double>(S((slips[k] + slip(instant.contacts[k])) / 2));
-    rubbed.lost = -rubbed.impulse * mean;
+    if (rubbed[k].impulse == 0) continue;
+    rubbed[k].lost = lost_to_impulse(rubbed[k].impulse, static_cast<double>(slips[k]),
+                                     static_cast<double>(slip(instant.contacts[k])));
+    lost.add(rubbed[k].lost);
   }
+  if (log != nullptr) log->rubbed = std::move(rubbed);
+  return lost.rounded();
 }
 
 }  // namespace carom::event

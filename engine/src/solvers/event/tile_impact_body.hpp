@@ -25,8 +25,21 @@ void Tile<P>::watch(At now) {
   }
 }
 
+// What drag takes follows from the flight alone.
+template <class P>
+void Tile<P>::end_flight(Index i, At now) {
+  if (motion_.rules().drag_rate > 0) {
+    book_.add_drag(motion_.drag_loss(counted_[i], now));
+    // An impact that did nothing leaves it on the flight it was on.
+    if (disks_[i].start != now) book_.add_drag(-motion_.drag_loss(disks_[i], now));
+  }
+  count_turns(i, now);
+  counted_[i] = disks_[i];
+}
+
 template <class P>
 void Tile<P>::count_turns(Index i, At now) {
+  if (turns_[0].empty() && turns_[1].empty()) return;
   const Vec<S> came = motion_.place(counted_[i], now);
   const auto count = [&](std::size_t axis, const S& from, const S& to) {
     if (turns_[axis].empty()) return;
@@ -35,14 +48,13 @@ void Tile<P>::count_turns(Index i, At now) {
   };
   count(0, came.x, disks_[i].x);
   count(1, came.y, disks_[i].y);
-  counted_[i] = disks_[i];
 }
 
 // After a new flight has begun.
 template <class P>
 void Tile<P>::look_again(Index i, At now) {
   if (motion_.fixed(disks_[i])) return;
-  if (!counted_.empty()) count_turns(i, now);
+  if (!counted_.empty()) end_flight(i, now);
   if (motion_.rules().collisions) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
   scan(i, now);
   announce(i);
@@ -51,13 +63,16 @@ void Tile<P>::look_again(Index i, At now) {
 template <class P>
 void Tile<P>::meet_alone(Index i, Index partner, At now) {
   if (partner >= kWalls) {
-    motion_.bounce(disks_[i], spin(i), partner, now);
+    book_.note(motion_.bounce(disks_[i], spin(i), partner, now));
     ++counts_.ball_wall;
     if (!left_.empty()) left_[i] = kUnknown;
     if constexpr (kCanRest) lean(i);
     return;
   }
-  overlap_ = motion_.strike(disks_[i], spin(i), disks_[partner], spin(partner), now);
+  const typename Motion<P>::Strike strike =
+      motion_.strike(disks_[i], spin(i), disks_[partner], spin(partner), now);
+  overlap_ = strike.overlap;
+  book_.note(strike.lost);
   counts_.max_overlap = std::max(counts_.max_overlap, overlap_);
   ++counts_.ball_ball;
   if (!left_.empty()) {
@@ -117,6 +132,7 @@ void Tile<P>::meet(Index i, At now) {
   if (ball) look_again(partner, now);
   look_again(i, now);
   if (disks_[i].meets != now && !(ball && disks_[partner].meets == now)) {
+    book_.keep();
     if (log_ != nullptr) {
       log_alone(i, partner, {before, spin_before}, {partner_before, partner_spin_before}, now);
     }
@@ -125,6 +141,7 @@ void Tile<P>::meet(Index i, At now) {
   }
   // The blow is passed on at once: take it back, and resolve all that touches together.
   counts_ = counts;
+  book_.forget();
   const auto take_back = [this](Index k, const Disk& flight, const S& had) {
     unlink(k);
     const Time leaves = disks_[k].leaves;

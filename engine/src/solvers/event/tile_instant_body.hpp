@@ -181,6 +181,7 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     const Before was = before(i);
     const Before partner_was = ball ? before(partner) : Before{};
     meet_alone(i, partner, now);
+    book_.keep();
     if (log_ != nullptr) log_alone(i, partner, was, partner_was, now);
     if (journal_ != nullptr) note_alone(i, was.disk, partner, partner_was.disk, now);
     if (ball) look_again(partner, now);
@@ -197,6 +198,8 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
   const auto balls = static_cast<std::uint64_t>(report.impacts);
   counts_.ball_wall += walls;
   counts_.ball_ball += balls;
+  book_.note(report.lost);
+  book_.keep();
   if (journal_ != nullptr) {
     note_instant(instant, now, static_cast<Index>(balls), static_cast<Index>(walls));
   }
@@ -238,6 +241,7 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
   }
   if constexpr (kCanRest) {
     for (const Index m : changed) lean(m);
+    book_.keep();
     if (motion_.clusters()) {
       for (const Contact<S>& contact : instant.contacts) {
         if (contact.b == kWall || contact.restitution == 1) continue;

@@ -16,11 +16,12 @@ void Tile<P>::start_resting(At now) requires kCanRest {
     Disk& disk = disks_[i];
     if (motion_.fixed(disk)) continue;
     if (motion_.carried(disk) < kLying && disk.start == now) {
-      motion_.lean_on_walls(disk);
+      book_.note(motion_.lean_on_walls(disk));
       step_if_it_slips(i);
     }
     if (motion_.carried(disk) >= kStepped) schedule_step(now);
   }
+  book_.keep();
 }
 
 template <class P>
@@ -35,9 +36,9 @@ void Tile<P>::lean(Index i) requires kCanRest {
   Disk& disk = disks_[i];
   if (!motion_.hops() || motion_.fixed(disk)) return;
   const unsigned before = motion_.carried(disk);
-  motion_.lean_on_walls(disk);
+  book_.note(motion_.lean_on_walls(disk));
   const Index peg = left_[i];
-  if (peg != kUnknown) motion_.lean_on_peg(disk, disks_[peg]);
+  if (peg != kUnknown) book_.note(motion_.lean_on_peg(disk, disks_[peg]));
   if ((motion_.carried(disk) & ~before) != 0) ++counts_.resting_contacts;
   step_if_it_slips(i);
 }

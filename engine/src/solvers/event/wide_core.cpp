@@ -68,6 +68,11 @@ double WideCore::energy_ahead() const {
   return core_->energy_ahead();
 }
 
+double WideCore::dissipated() const {
+  const WidePrecision precision(digits_);
+  return core_->dissipated();
+}
+
 Tally WideCore::tally() const {
   const WidePrecision precision(digits_);
   return core_->tally();

@@ -22,6 +22,7 @@ class WideCore final : public Core {
   [[nodiscard]] std::vector<ExactPosition> exact_positions() const override;
   [[nodiscard]] Turns turns() const override;
   [[nodiscard]] double energy_ahead() const override;
+  [[nodiscard]] double dissipated() const override;
   [[nodiscard]] Tally tally() const override;
   void save(Continuation& continuation) const override;
   void record_impacts(bool wanted) override;

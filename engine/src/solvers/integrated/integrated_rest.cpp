@@ -137,6 +137,7 @@ bool IntegratedSolver::stop(const Meeting& meeting) {
       rubbed = effects::rub_wall(a, axis, outwards * pressing, effects_.friction->walls);
     }
     rubbed.lost += lost_to_restitution(pressing, 0, 1);
+    state_.lost[meeting.i] += a.mass * rubbed.lost;
     Vec2 normal{0, 0};
     normal[k] = outwards;
     note(meeting, part_end_, false, normal, a.radius, a.mass * pressing,
@@ -157,6 +158,7 @@ bool IntegratedSolver::stop(const Meeting& meeting) {
     rubbed = effects::rub(a, b, line, j * line.length, effects_.friction->balls);
   }
   rubbed.lost += lost_to_restitution(-closing / line.length, 0, a.inverse_mass + b.inverse_mass);
+  state_.lost[meeting.i] += rubbed.lost;
   note(meeting, part_end_, false, line.r / line.length, line.distance, j * line.length, rubbed);
   put_back(a);
   put_back(b);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "effects/attraction.hpp"
 #include "effects/drag.hpp"
@@ -123,6 +124,7 @@ std::size_t IntegratedSolver::begin_piece(double length) {
   stage_ = 0;
   start_position_ = state_.balls.position;
   start_velocity_ = state_.balls.velocity;
+  start_lost_ = state_.lost;
   for (std::size_t s = 0; s <= Splitting::kStages; ++s) {
     Stage& stage = stages_[s];
     stage.kick = Splitting::kPull[s] * length;
@@ -215,6 +217,7 @@ void IntegratedSolver::back_to_start() {
   state_.balls.position = start_position_;
   state_.balls.velocity = start_velocity_;
   state_.balls.pull = start_pull_;
+  state_.lost = start_lost_;
 }
 
 // What is shown becomes the run, and steps are numbered from here.
@@ -241,6 +244,8 @@ void IntegratedSolver::add(const Ball& ball) {
 void IntegratedSolver::remove(std::size_t ball) {
   std::vector<Ball> balls = state_.balls.to_vector();
   balls.erase(balls.begin() + static_cast<std::ptrdiff_t>(ball));
+  state_.lost_before = dissipated();
+  state_.lost.clear();
   state_.balls = Balls(balls, effects_);
   for (auto& turns : state_.turns) {
     if (!turns.empty()) turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(ball));
@@ -263,6 +268,10 @@ void IntegratedSolver::renew_rules() {
   drag_rate_ = effects_.drag ? effects_.drag->rate : 0;
   domain_ = Domain(box_, has_walls(effects_));
   const std::size_t n = balls();
+  if (state_.lost.size() != n) {
+    state_.lost_before = dissipated();
+    state_.lost.assign(n, 0.0);
+  }
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (auto* columns : {&next_, &start_pull_, &low_, &high_}) {
       (*columns)[axis] = Balls::Column(n, 0.0);
@@ -282,6 +291,10 @@ double IntegratedSolver::energy() const {
                effects::attraction_energy(state_.balls, domain_, *effects_.attraction);
   if (effects_.friction) sum += spin_energy(state_.balls);
   return sum;
+}
+
+double IntegratedSolver::dissipated() const {
+  return std::accumulate(state_.lost.begin(), state_.lost.end(), state_.lost_before);
 }
 
 void IntegratedSolver::count(Measurements& measurements) const {

@@ -52,6 +52,7 @@ class IntegratedSolver final : public Solver {
   [[nodiscard]] std::vector<Ball> state() const override { return state_.balls.to_vector(); }
   [[nodiscard]] std::string state_hash() const override { return carom::state_hash(state_.balls); }
   [[nodiscard]] double energy() const override;
+  [[nodiscard]] double dissipated() const override;
   [[nodiscard]] Vec2 momentum() const override { return carom::momentum(state_.balls); }
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;
@@ -80,6 +81,8 @@ class IntegratedSolver final : public Solver {
     std::uint64_t ball_ball = 0;
     std::uint64_t ball_wall = 0;
     double deepest = 0;
+    std::vector<double> lost;  // the energy that each ball's impacts and drag took
+    double lost_before = 0;    // of balls that are gone
     bool pull_known = false;
   };
   // The lengths of a piece's stages.
@@ -173,6 +176,7 @@ class IntegratedSolver final : public Solver {
   std::array<Balls::Column, 2> start_position_;
   std::array<Balls::Column, 2> start_velocity_;
   std::array<Balls::Column, 2> start_pull_;
+  std::vector<double> start_lost_;
   std::array<Balls::Column, 2> low_;  // what a ball's path stays within
   std::array<Balls::Column, 2> high_;
   std::vector<Meeting> resting_;                                   // until the end of the step

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "numbers/exact_sum.hpp"
+
+namespace carom::event {
+
+/// What impacts and drag have taken from the energy of a tile's balls.
+///
+/// Holds: sums are rounded once, so that the order of impacts of one instant does not show.
+class EnergyBook {
+ public:
+  /// Of the impact that is being worked out; impacts never give energy.
+  void note(double lost) {
+    if (lost > 0) noted_ += lost;
+  }
+  /// The impact stays, or is taken back.
+  void keep() {
+    if (noted_ != 0) sum_.add(noted_);
+    noted_ = 0;
+  }
+  void forget() { noted_ = 0; }
+  /// Of a flight that has ended; a part of it that was counted too much is taken off.
+  void add_drag(double lost) {
+    if (lost != 0) sum_.add(lost);
+  }
+  [[nodiscard]] double lost() const { return sum_.rounded(); }
+
+ private:
+  double noted_ = 0;
+  ExactSum<double> sum_;
+};
+
+}  // namespace carom::event
