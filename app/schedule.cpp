@@ -130,7 +130,7 @@ bool Schedule::move_clock_to(double clock) {
 
 bool Schedule::move_until(double clock) {
   if (end_time_ && !session_.paused()) {
-    const double end = *end_time_ + (session_.clock() - session_.simulation().time());
+    const double end = session_.clock_at(*end_time_);
     if (end < clock * (1 - kRounding)) {
       session_.advance_clock_to(end);
       return false;

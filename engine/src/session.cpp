@@ -8,39 +8,49 @@ namespace carom {
 Session::Session(Scene scene) : scene_(std::move(scene)), simulation_(scene_) {
   if (!scene_.continuation) return;
   clock_ = scene_.continuation->clock;
-  stood_still_ = clock_ - scene_.continuation->time;
   paused_ = scene_.continuation->paused;
+  const double time = scene_.continuation->time;
+  const bool never_paused = clock_ == time;
+  clock_origin_ = scene_.continuation->clock_origin.value_or(never_paused ? 0 : clock_);
+  time_origin_ = scene_.continuation->time_origin.value_or(never_paused ? 0 : time);
   while (next_line_ < scene_.script.size() && scene_.script[next_line_].at < clock_) ++next_line_;
 }
 
 void Session::advance_clock_to(double clock) {
   while (!quit_ && next_line_ < scene_.script.size() && scene_.script[next_line_].at <= clock) {
     const ScriptLine& line = scene_.script[next_line_++];
-    advance_clock_to(std::max(clock_, line.at));
+    move_clock_to(std::max(clock_, line.at));
     apply(line.command);
   }
-  if (quit_) return;
+  if (!quit_) move_clock_to(clock);
+}
+
+void Session::move_clock_to(double clock) {
   clock_ = clock;
-  if (!paused_) simulation_.advance_to(clock_ - stood_still_);
+  if (!paused_) simulation_.advance_to(time_origin_ + (clock_ - clock_origin_));
 }
 
 void Session::nudge(double seconds) {
   simulation_.advance_to(simulation_.time() + seconds);
-  stood_still_ = clock_ - simulation_.time();
+  start_time_here();
 }
 
 void Session::apply(const Command& command) {
   if (std::holds_alternative<command::Pause>(command)) {
     paused_ = true;
   } else if (std::holds_alternative<command::Resume>(command)) {
-    // Not summed up frame by frame: a pause ends at the same instant at every frame rate.
-    if (paused_) stood_still_ = clock_ - simulation_.time();
+    if (paused_) start_time_here();
     paused_ = false;
   } else if (std::holds_alternative<command::Quit>(command)) {
     quit_ = true;
   } else {
     simulation_.apply(command);
   }
+}
+
+void Session::start_time_here() {
+  clock_origin_ = clock_;
+  time_origin_ = simulation_.time();
 }
 
 bool Session::stuck() const {
@@ -52,6 +62,10 @@ Scene Session::save() const {
   if (!scene.continuation) scene.continuation.emplace();
   scene.continuation->clock = clock_;
   scene.continuation->paused = paused_;
+  if (!paused_ && (clock_origin_ != 0 || time_origin_ != 0)) {
+    scene.continuation->clock_origin = clock_origin_;
+    scene.continuation->time_origin = time_origin_;
+  }
   scene.script.assign(scene_.script.begin() + static_cast<std::ptrdiff_t>(next_line_),
                       scene_.script.end());
   return scene;

@@ -78,6 +78,10 @@ struct Continuation {
   double time = 0;                   ///< simulated seconds
   double clock = 0;                  ///< frame clock, seconds
   bool paused = false;               ///< the saved run stood still
+  /// The frame clock and the simulated time when a pause last ended; simulated time is
+  /// `time_origin` + (`clock` - `clock_origin`).  Absent: 0 where time and clock agree, else those.
+  std::optional<double> clock_origin;
+  std::optional<double> time_origin;
   double step_origin = 0;            ///< simulated time of step number 0 of the present step length
   std::uint64_t steps = 0;           ///< whole steps taken since `step_origin`
   std::optional<double> tick;        ///< of the clock of `event`, seconds: a power of two

@@ -9,8 +9,9 @@ namespace carom {
 /// A simulation on its frame clock: script, pause and quit.  `play` and `run` both drive this.
 ///
 /// The frame clock counts frames / frame_rate and runs on while paused; simulated time is the clock
-/// less the time spent paused.  Script lines take effect exactly at their time, between frames, so
-/// that the trajectory depends on no frame rate.
+/// less the time spent paused: time_origin + (clock - clock_origin), both taken when the last pause
+/// ended, so that it depends on no frame rate.  Script lines take effect exactly at their time,
+/// between frames, so that the trajectory depends on no frame rate.
 ///
 /// Threads: the control thread only.
 class Session {
@@ -29,6 +30,8 @@ class Session {
   /// Paused, and no line of the script is left that could change it.
   [[nodiscard]] bool stuck() const;
   [[nodiscard]] double clock() const { return clock_; }
+  /// The frame clock at a simulated time, if no pause comes before.
+  [[nodiscard]] double clock_at(double time) const { return clock_origin_ + (time - time_origin_); }
 
   [[nodiscard]] Simulation& simulation() { return simulation_; }
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
@@ -38,10 +41,14 @@ class Session {
   [[nodiscard]] Scene save() const;
 
  private:
+  void move_clock_to(double clock);
+  void start_time_here();
+
   Scene scene_;
   Simulation simulation_;
   double clock_ = 0;
-  double stood_still_ = 0;  // clock - simulated time
+  double clock_origin_ = 0;  // when the last pause ended
+  double time_origin_ = 0;
   bool paused_ = false;
   bool quit_ = false;
   std::size_t next_line_ = 0;

@@ -189,6 +189,8 @@ Continuation take_continuation(const Value& object) {
   take(object, "time", continuation.time);
   take(object, "clock", continuation.clock);
   take(object, "paused", continuation.paused);
+  if (const Value* clock = object.find("clock_origin")) continuation.clock_origin = number(*clock);
+  if (const Value* time = object.find("time_origin")) continuation.time_origin = number(*time);
   take(object, "step_origin", continuation.step_origin);
   take(object, "steps", continuation.steps);
   if (const Value* tick = object.find("tick")) continuation.tick = number(*tick);

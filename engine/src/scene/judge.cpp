@@ -229,6 +229,8 @@ void judge_continuation(const Scene& scene, Verdict& verdict) {
   const Continuation& continuation = *scene.continuation;
   verdict.not_negative("/continuation/time", continuation.time);
   verdict.not_negative("/continuation/clock", continuation.clock);
+  verdict.not_negative("/continuation/clock_origin", continuation.clock_origin.value_or(0));
+  verdict.not_negative("/continuation/time_origin", continuation.time_origin.value_or(0));
   verdict.not_negative("/continuation/step_origin", continuation.step_origin);
   if (static_cast<double>(continuation.steps) > kMostSteps) {
     verdict.add("/continuation/steps",

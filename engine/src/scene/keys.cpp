@@ -123,10 +123,11 @@ constexpr std::array kFlightKeys{
 constexpr Group kFlight{"a flight", kFlightKeys};
 
 constexpr std::array kContinuationKeys{
-    Key{"time", Type::number}, Key{"clock", Type::number},
-    Key{"paused", Type::flag}, Key{"step_origin", Type::number},
-    Key{"steps", Type::whole}, Key{"tick", Type::number},
-    Key{"rests", Type::flag},  Key{"flights", Type::list, false, &kFlight},
+    Key{"time", Type::number},        Key{"clock", Type::number},
+    Key{"paused", Type::flag},        Key{"clock_origin", Type::number},
+    Key{"time_origin", Type::number}, Key{"step_origin", Type::number},
+    Key{"steps", Type::whole},        Key{"tick", Type::number},
+    Key{"rests", Type::flag},         Key{"flights", Type::list, false, &kFlight},
 };
 constexpr Group kContinuation{"a continuation", kContinuationKeys};
 

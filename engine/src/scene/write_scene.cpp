@@ -191,8 +191,10 @@ std::string continuation(const Continuation& continuation) {
   Line line;
   line.put("time", number(continuation.time))
       .put("clock", number(continuation.clock))
-      .put("paused", continuation.paused ? "true" : "false")
-      .put("step_origin", number(continuation.step_origin))
+      .put("paused", continuation.paused ? "true" : "false");
+  if (continuation.clock_origin) line.put("clock_origin", number(*continuation.clock_origin));
+  if (continuation.time_origin) line.put("time_origin", number(*continuation.time_origin));
+  line.put("step_origin", number(continuation.step_origin))
       .put("steps", fmt::format("{}", continuation.steps));
   if (continuation.tick) line.put("tick", number(*continuation.tick));
   if (continuation.rests) line.put("rests", "true");

@@ -17,15 +17,20 @@ namespace carom::event {
 inline constexpr std::size_t kManyBalls = 4000;   // from here on their order in memory matters
 inline constexpr std::uint64_t kSortAfter = 100;  // impacts of each ball
 
+/// A saved run goes on by its own clock, also where all its balls are gone and others are to come.
+inline bool keeps_its_clock(const Continuation& from, const std::vector<Ball>& balls) {
+  return !from.flights.empty() || (balls.empty() && from.tick);
+}
+
 template <class P>
 TileCore<P>::TileCore(CoreStart start)
     : domain_(start.domain),
       effects_(std::move(start.effects)),
       balls_(std::move(start.balls)),
       rests_(start.rests && Motion<P>::kCanRest),
-      scale_(start.from.flights.empty()
-                 ? typename P::Clock(crossing_time(domain_, effects_, balls_))
-                 : P::Clock::of_tick(*start.from.tick)),
+      scale_(keeps_its_clock(start.from, balls_)
+                 ? P::Clock::of_tick(*start.from.tick)
+                 : typename P::Clock(crossing_time(domain_, effects_, balls_))),
       sharing_(start.sharing),
       now_(moment(start.from.time)),
       target_(now_) {
