@@ -19,7 +19,6 @@ namespace {
 
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
-using std::chrono::seconds;
 using test::Watchdog;
 
 /// Runs `body(i)` on `count` threads and waits for them.
@@ -37,7 +36,7 @@ void let_them_sleep() {
 // The counters are plain numbers on purpose: a missing happens-before is a race that the thread
 // sanitizer reports.
 void nobody_is_a_phase_ahead(std::size_t threads, int phases) {
-  const Watchdog watchdog(seconds(120));
+  const Watchdog watchdog;
   Barrier barrier(threads);
   std::vector<int> done(threads, 0);
   std::atomic<int> wrong{0};
@@ -61,13 +60,13 @@ TEST(Barrier, NobodyPassesBeforeTheLastArrives) {
 }
 
 TEST(Barrier, OnePartyNeverWaits) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   Barrier barrier(1);
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(barrier.arrive_and_wait());
 }
 
 TEST(Barrier, TheCompletionRunsOncePerPhaseAfterAllHaveArrivedAndBeforeAnyGoesOn) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   constexpr std::size_t kThreads = 7;
   constexpr int kPhases = 500;
   std::vector<int> done(kThreads, 0);
@@ -91,7 +90,7 @@ TEST(Barrier, TheCompletionRunsOncePerPhaseAfterAllHaveArrivedAndBeforeAnyGoesOn
 }
 
 TEST(Barrier, ThreadsThatSleepAreWoken) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   Barrier barrier(30);
   std::atomic<int> through{0};
   on_threads(30, [&](std::size_t me) {
@@ -106,7 +105,7 @@ TEST(Barrier, ThreadsThatSleepAreWoken) {
 // Arrivals are spread over about the time in which a waiter gives up yielding and falls asleep, so
 // that the end of the phase meets threads at every point on the way.
 TEST(Barrier, NoWakeUpIsLostWhereThePhaseEndsAsThreadsFallAsleep) {
-  const Watchdog watchdog(seconds(120));
+  const Watchdog watchdog;
   for (const std::size_t threads : {2U, 3U, 5U, 12U}) {
     Barrier barrier(threads);
     std::atomic<int> through{0};
@@ -127,7 +126,7 @@ TEST(Barrier, NoWakeUpIsLostWhereThePhaseEndsAsThreadsFallAsleep) {
 }
 
 TEST(Barrier, APartyThatJoinsIsWaitedForFromTheOpenPhaseOn) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   int completions = 0;
   Barrier barrier(2, [&] { ++completions; });
   std::atomic<int> through{0};
@@ -150,7 +149,7 @@ TEST(Barrier, APartyThatJoinsIsWaitedForFromTheOpenPhaseOn) {
 }
 
 TEST(Barrier, LeavingEndsThePhaseAndRunsTheCompletionWhereAllOthersWait) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   int completions = 0;
   Barrier barrier(3, [&] { ++completions; });
   std::atomic<int> through{0};
@@ -186,7 +185,7 @@ TEST(Barrier, LeavingWhileOthersAreStillToArriveEndsNothing) {
 }
 
 TEST(Barrier, TheLastPartyMayLeaveAndOthersMeetAfter) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   int completions = 0;
   Barrier barrier(1, [&] { ++completions; });
   barrier.leave();
@@ -199,7 +198,7 @@ TEST(Barrier, TheLastPartyMayLeaveAndOthersMeetAfter) {
 }
 
 TEST(Barrier, CompletionsDoNotOverlapWhereTheOnlyPartyLeavesAndAnotherComes) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   std::atomic<int> inside{0};
   std::atomic<bool> overlap{false};
   Barrier barrier(1, [&] {
@@ -217,7 +216,7 @@ TEST(Barrier, CompletionsDoNotOverlapWhereTheOnlyPartyLeavesAndAnotherComes) {
 
 // Three threads go on without a break; guests come, take part in a few phases and leave again.
 TEST(Barrier, PartiesJoinAndLeaveWhileOthersRun) {
-  const Watchdog watchdog(seconds(120));
+  const Watchdog watchdog;
   constexpr int kPhases = 400;
   constexpr int kGuestPhases = 5;
   int completions = 0;
@@ -253,7 +252,7 @@ TEST(Barrier, PartiesJoinAndLeaveWhileOthersRun) {
 }
 
 TEST(Barrier, CancelReleasesEverybodyForGood) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   for (const std::size_t threads : {1U, 2U, 40U}) {
     int completions = 0;
     Barrier barrier(threads + 1, [&] { ++completions; });
@@ -276,7 +275,7 @@ TEST(Barrier, CancelReleasesEverybodyForGood) {
 }
 
 TEST(Barrier, CancelAtAnyMomentHangsNobody) {
-  const Watchdog watchdog(seconds(120));
+  const Watchdog watchdog;
   for (int round = 0; round < 60; ++round) {
     Barrier barrier(4);
     std::thread killer([&] {
@@ -291,7 +290,7 @@ TEST(Barrier, CancelAtAnyMomentHangsNobody) {
 }
 
 TEST(Barrier, WhatTheCompletionThrowsIsThrownToTheLastAndReleasesTheOthers) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   Barrier barrier(6, [] { throw std::runtime_error("completion"); });
   std::atomic<int> thrown{0};
   std::atomic<int> released{0};
@@ -308,7 +307,7 @@ TEST(Barrier, WhatTheCompletionThrowsIsThrownToTheLastAndReleasesTheOthers) {
 }
 
 TEST(Barrier, WhatTheCompletionThrowsIsThrownToThePartyThatLeaves) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   Barrier barrier(2, [] { throw std::runtime_error("completion"); });
   std::atomic<bool> released{false};
   std::thread other([&] { released = !barrier.arrive_and_wait(); });
@@ -319,7 +318,7 @@ TEST(Barrier, WhatTheCompletionThrowsIsThrownToThePartyThatLeaves) {
 }
 
 TEST(Barrier, TheNumberOfPhasesMayWrapAround) {
-  const Watchdog watchdog(seconds(300));
+  const Watchdog watchdog;
   Barrier barrier(1);
   for (int i = 0; i < (1 << 24) - 3; ++i) ASSERT_TRUE(barrier.arrive_and_wait());
   barrier.join();

@@ -21,7 +21,6 @@
 namespace carom {
 namespace {
 
-using std::chrono::seconds;
 using test::Watchdog;
 
 std::size_t threads_of_this_process() {
@@ -79,7 +78,7 @@ TEST(Crew, KnowsWhatItsWorkersHaveComputedWhereTheyCanWaitForEachOther) {
 }
 
 TEST(Crew, APhaseSeesAllThatTheOneBeforeHasDone) {
-  const Watchdog watchdog(seconds(120));
+  const Watchdog watchdog;
   for (const std::size_t workers : {1U, 2U, 3U, 7U, 40U}) {
     std::vector<long> a(workers, 0);
     std::vector<long> b(workers, 0);
@@ -128,7 +127,7 @@ TEST(Crew, ItsBarriersAreDoFrameOneForEachPhaseAndFrameDone) {
 }
 
 TEST(Crew, ResizingStartsAndEndsJustTheDifference) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   const std::size_t others = threads_of_this_process();
   std::vector<pthread_t> ids(16);
   std::atomic<std::size_t> count{0};
@@ -157,7 +156,7 @@ TEST(Crew, ResizingStartsAndEndsJustTheDifference) {
 }
 
 TEST(Crew, ResizingBetweenManyFramesNeverHangs) {
-  const Watchdog watchdog(seconds(120));
+  const Watchdog watchdog;
   std::vector<int> seen(32, 0);
   Crew crew(1, {one_phase("wall_computation", [&](Share share) { ++seen[share.index]; })});
   long expected = 0;
@@ -171,7 +170,7 @@ TEST(Crew, ResizingBetweenManyFramesNeverHangs) {
 }
 
 TEST(Crew, WhatAWorkerThrowsIsRethrownByDoFrameAndAllWorkersEnd) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   const std::size_t others = threads_of_this_process();
   for (const std::size_t workers : {1U, 2U, 30U}) {
     int frame = 0;
@@ -195,7 +194,7 @@ TEST(Crew, WhatAWorkerThrowsIsRethrownByDoFrameAndAllWorkersEnd) {
 }
 
 TEST(Crew, OfSeveralFailuresTheOneOfTheLowestWorkerIsRethrown) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   for (int round = 0; round < 20; ++round) {
     Crew crew(9, {one_phase("wall_computation", [](Share share) {
                 if (share.index >= 2) throw std::runtime_error(std::to_string(share.index));
@@ -210,7 +209,7 @@ TEST(Crew, OfSeveralFailuresTheOneOfTheLowestWorkerIsRethrown) {
 }
 
 TEST(Crew, WhatTheEndOfAPhaseThrowsIsRethrownToo) {
-  const Watchdog watchdog(seconds(60));
+  const Watchdog watchdog;
   Crew crew(5, {{"wall_computation", [](Share) {},
                  []() -> std::size_t { throw std::runtime_error("finish"); }}});
   EXPECT_THROW(crew.do_frame(), std::runtime_error);
@@ -237,7 +236,7 @@ constexpr std::size_t kMany = 10000;
 #endif
 
 TEST(Crew, TenThousandWorkersStartAndComputeAFrame) {
-  const Watchdog watchdog(seconds(120));
+  const Watchdog watchdog;
   std::vector<int> seen(kMany, 0);
   Crew crew(kMany, {one_phase("wall_computation", [&](Share share) { ++seen[share.index]; })});
   EXPECT_EQ(crew.workers(), kMany);

@@ -8,6 +8,9 @@
 
 namespace carom {
 
+/// How the threads of a barrier sleep and wake.
+struct BarrierSystem;
+
 /// A reusable meeting point of any number of threads.
 ///
 /// A phase ends when every party has arrived; the last to arrive runs the completion, then all go
@@ -21,16 +24,18 @@ namespace carom {
 /// never overlap.  What happened before cancel() happens before anything done by a thread that
 /// learns of it.
 /// Holds: 0 <= arrived < parties whenever nobody is inside a member function.
+/// System: BarrierSystem, or what a test puts in its place to hold a thread between two moves.
 /// Errors: what the completion throws cancels the barrier and is rethrown to the thread that ran
 /// it. REQUIRES: destroyed only when no thread is inside a member function.
-class Barrier {
+template <class System>
+class BasicBarrier {
  public:
   static constexpr std::size_t kMostParties = (std::size_t{1} << 20) - 1;
 
-  explicit Barrier(std::size_t parties, std::function<void()> completion = {});
-  ~Barrier();
-  Barrier(const Barrier&) = delete;
-  Barrier& operator=(const Barrier&) = delete;
+  explicit BasicBarrier(std::size_t parties, std::function<void()> completion = {});
+  ~BasicBarrier();
+  BasicBarrier(const BasicBarrier&) = delete;
+  BasicBarrier& operator=(const BasicBarrier&) = delete;
 
   /// Arrives and waits for the others.  True where the phase ended; false where the barrier was
   /// cancelled before: a party that is slow to wake up from a phase that ended is told so.
@@ -69,5 +74,8 @@ class Barrier {
   std::atomic<int> spins_;          ///< that a wait begins with
   std::atomic<int> unyielding_{0};  ///< waits to come that do not yield
 };
+
+extern template class BasicBarrier<BarrierSystem>;
+using Barrier = BasicBarrier<BarrierSystem>;
 
 }  // namespace carom

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <climits>
 #include <cstdint>
 
 #ifdef __linux__
@@ -16,29 +15,30 @@ namespace carom {
 /// the library puts before it, and with a number of sleepers to wake.
 ///
 /// Source: futex(2).  Where there are no futexes the standard library's wait does the same, slower.
-
-/// Sleeps unless `word` differs from `expected`.  May return early: the caller looks again.
-inline void sleep_while_equal(std::atomic<std::uint32_t>& word, std::uint32_t expected) {
+struct BarrierSystem {
+  /// Sleeps unless `word` differs from `expected`.  May return early: the caller looks again.
+  static void sleep_while_equal(std::atomic<std::uint32_t>& word, std::uint32_t expected) {
 #ifdef __linux__
-  static_assert(sizeof(word) == sizeof(std::uint32_t));
-  syscall(SYS_futex, &word, FUTEX_WAIT_PRIVATE, expected, nullptr, nullptr, 0);
+    static_assert(sizeof(word) == sizeof(std::uint32_t));
+    syscall(SYS_futex, &word, FUTEX_WAIT_PRIVATE, expected, nullptr, nullptr, 0);
 #else
-  word.wait(expected);
+    word.wait(expected);
 #endif
-}
+  }
 
-/// Wakes up to `count` of those who sleep on `word`.
-inline void wake(std::atomic<std::uint32_t>& word, int count) {
+  /// Wakes up to `count` of those who sleep on `word`.
+  static void wake(std::atomic<std::uint32_t>& word, int count) {
 #ifdef __linux__
-  syscall(SYS_futex, &word, FUTEX_WAKE_PRIVATE, count, nullptr, nullptr, 0);
+    syscall(SYS_futex, &word, FUTEX_WAKE_PRIVATE, count, nullptr, nullptr, 0);
 #else
-  (void)count;
-  word.notify_all();
+    (void)count;
+    word.notify_all();
 #endif
-}
+  }
 
-inline void wake_all(std::atomic<std::uint32_t>& word) {
-  wake(word, INT_MAX);
-}
+  // Where a test holds a thread; nothing here.
+  static void before_counting_a_sleeper() {}
+  static void between_word_and_sleepers() {}
+};
 
 }  // namespace carom
