@@ -16,7 +16,7 @@ constexpr const char* kHead =
     "# The bits that every scene ends with: SCENE METHOD SECONDS OUTCOME.\n"
     "# The outcome is the hash of the state; \"refused\" where the method does not take the "
     "scene;\n"
-    "# \"failed\" where the run says that it cannot go on.\n"
+    "# \"failed\" where the run says that it cannot go on; \"crashed\" where its process ends.\n"
     "# A change here is a change of results: the commit says why.  To write the table again:\n"
     "#   CAROM_BITS_TABLE=tests/bits/pinned.txt build/release/tests/carom_bits_tests\n";
 

@@ -1,0 +1,238 @@
+#include "support/invariants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "carom/scene_file.hpp"
+#include "carom/session.hpp"
+#include "schedule.hpp"
+#include "state/domain.hpp"
+#include "support/random_numbers.hpp"
+#include "support/transformed_scene.hpp"
+#include "verify/runs.hpp"
+
+namespace carom::test {
+namespace {
+
+/// What a run ends with.
+struct Ended {
+  std::vector<Ball> balls;
+  std::string hash;
+  std::string saved;
+  double clock = 0;
+  Measurements measured;
+};
+
+Ended end_of(const Session& session) {
+  const Simulation& simulation = session.simulation();
+  Scene saved = session.save();
+  saved.workers = 1;
+  saved.per_ball = false;
+  saved.frame_rate = 30;
+  return {simulation.state(), simulation.state_hash(), write_scene(saved), session.clock(),
+          simulation.measure()};
+}
+
+/// The first line of two texts that differs.
+std::string difference(const std::string& a, const std::string& b) {
+  std::istringstream lines_a(a);
+  std::istringstream lines_b(b);
+  std::string line_a;
+  std::string line_b;
+  while (std::getline(lines_a, line_a) && std::getline(lines_b, line_b)) {
+    if (line_a != line_b) return line_a + "\n  instead of\n" + line_b;
+  }
+  return "one is longer";
+}
+
+/// As `carom run` does it.
+Ended run(const Scene& scene) {
+  Session session(scene);
+  Schedule schedule(session, Options{});
+  while (schedule.next_frame()) continue;
+  return end_of(session);
+}
+
+Ended run_to(const Scene& scene, double clock) {
+  Session session(scene);
+  session.advance_clock_to(clock);
+  return end_of(session);
+}
+
+/// The scene without the lines of its script that are refused when their time comes: a ball that
+/// is added where another one is.
+Scene without_refused_lines(Scene scene) {
+  while (true) {
+    Session session(scene);
+    try {
+      session.advance_clock_to(4 * scene.duration);
+      return scene;
+    } catch (const CommandError&) {
+      const std::size_t rest = session.save().script.size();
+      const auto refused = static_cast<std::ptrdiff_t>(scene.script.size() - rest - 1);
+      scene.script.erase(scene.script.begin() + refused);
+    }
+  }
+}
+
+// What is left out, and why: each belongs to the theory of contacts to come, or to the sums of
+// attraction, which are taken in the order of the balls.
+
+/// Runs that find no end to their impacts: exact balls that lose energy and gather.
+bool may_find_no_end(const Scene& scene) {
+  return scene.solver.method == Method::event && !scene.effects.attraction &&
+         (loses_energy(scene) || scene.effects.friction);
+}
+
+/// A step of overlap meets the walls of x before those of y, which shows where friction turns one
+/// impulse into the other.  With attraction the pulls along x and y are not rounded alike.
+bool same_for_both_axes(const Scene& scene) {
+  const bool corners = scene.solver.method == Method::overlap && scene.effects.friction;
+  return !corners && !scene.effects.attraction;
+}
+
+/// Simultaneous impacts are resolved in the order of the balls, and overlap takes all impacts of a
+/// step as simultaneous.
+bool same_in_any_order(const Scene& scene, const Measurements& measured) {
+  const bool one_by_one = measured.joint_impacts == 0 &&
+                          (scene.solver.method == Method::event || !scene.effects.collisions);
+  return one_by_one && !scene.effects.attraction;
+}
+
+class Trial {
+ public:
+  explicit Trial(const Scene& scene)
+      : scene_(without_refused_lines(scene)), random_(scene.seed), expected_(run(scene_)) {}
+
+  std::string broken() {
+    std::string found = sane();
+    if (found.empty()) found = same_with_other_workers();
+    if (found.empty()) found = same_at_other_frame_rates();
+    if (found.empty()) found = same_when_saved();
+    if (found.empty()) found = same_in_other_units();
+    if (found.empty()) found = same_in_mirrors();
+    if (found.empty()) found = same_in_another_order();
+    return found;
+  }
+
+ private:
+  std::string sane() const {
+    const Domain domain(scene_.box, has_walls(scene_.effects));
+    for (std::size_t i = 0; i < expected_.balls.size(); ++i) {
+      const Ball& ball = expected_.balls[i];
+      if (!ball.position.allFinite() || !ball.velocity.allFinite() || !std::isfinite(ball.spin)) {
+        return fmt::format("ball {} has a number that is not finite", i);
+      }
+      for (const std::size_t axis : {0U, 1U}) {
+        if (!domain.solid(axis)) continue;
+        const double x = ball.position[axis];
+        if (x < domain.lowest(axis, ball.radius) || x > domain.highest(axis, ball.radius)) {
+          return fmt::format("ball {} is outside the walls, at {}", i, x);
+        }
+      }
+    }
+    return {};
+  }
+
+  std::string same_with_other_workers() {
+    for (const std::size_t workers : {2U + static_cast<unsigned>(random_.below(6)), 0U}) {
+      Scene scene = scene_;
+      scene.per_ball = workers == 0;
+      scene.workers.reset();
+      if (workers > 0) scene.workers = workers;
+      if (run(scene).hash != expected_.hash) {
+        return workers > 0 ? fmt::format("other bits with {} workers", workers)
+                           : "other bits with a worker for each ball";
+      }
+    }
+    return {};
+  }
+
+  std::string same_at_other_frame_rates() {
+    for (const double rate : {random_.between(1, 20), random_.between(20, 500)}) {
+      Scene scene = scene_;
+      scene.frame_rate = rate;
+      const Ended ended = run(scene);
+      if (ended.hash != expected_.hash) return fmt::format("other bits at {} frames/s", rate);
+      if (ended.saved != expected_.saved) {
+        return fmt::format("another save at {} frames/s: {}", rate,
+                           difference(ended.saved, expected_.saved));
+      }
+    }
+    return {};
+  }
+
+  std::string same_when_saved() {
+    for (int k = 0; k < 2; ++k) {
+      const double stop = random_.between(0, expected_.clock);
+      Session first(scene_);
+      first.advance_clock_to(stop);
+      const Scene saved = parse_scene(write_scene(first.save()), "saved");
+      const Ended ended = run_to(saved, expected_.clock);
+      const Ended whole = run_to(scene_, expected_.clock);
+      if (ended.hash != whole.hash) return fmt::format("other bits when saved at {}", stop);
+      if (ended.saved != whole.saved) {
+        return fmt::format("another save when saved at {}: {}", stop,
+                           difference(ended.saved, whole.saved));
+      }
+    }
+    return {};
+  }
+
+  std::string same_in_other_units() {
+    const auto power = [this] { return std::ldexp(1.0, random_.below(41) - 20); };
+    const Units units{power(), power(), power()};
+    const Ended ended = run(in_units(scene_, units));
+    const auto expected = hard::scaled(expected_.balls, units.length, units.time, units.mass);
+    if (hard::different(ended.balls, expected) == 0) return {};
+    return fmt::format("other bits with length x {}, time x {}, mass x {}", units.length,
+                       units.time, units.mass);
+  }
+
+  std::string same_in_mirrors() {
+    if (scene_.box.origin != Box::Origin::center) return {};
+    for (const auto mirror : {hard::Mirror::x, hard::Mirror::y, hard::Mirror::diagonal}) {
+      if (mirror == hard::Mirror::diagonal && !same_for_both_axes(scene_)) continue;
+      const Ended ended = run(in_mirror(scene_, mirror));
+      if (hard::different(ended.balls, hard::mirrored(expected_.balls, mirror)) > 0) {
+        return fmt::format("other bits in mirror {}", static_cast<int>(mirror));
+      }
+    }
+    return {};
+  }
+
+  std::string same_in_another_order() {
+    if (!same_in_any_order(scene_, expected_.measured)) return {};
+    const Reordered other = reordered(scene_, scene_.seed);
+    const Ended ended = run(other.scene);
+    std::vector<Ball> balls(ended.balls.size());
+    for (std::size_t k = 0; k < balls.size(); ++k) balls[other.number[k]] = ended.balls[k];
+    return hard::different(balls, expected_.balls) == 0 ? "" : "other bits in another order";
+  }
+
+  Scene scene_;
+  RandomNumbers random_;
+  Ended expected_;
+};
+
+}  // namespace
+
+Verdict try_invariants(const Scene& scene) {
+  try {
+    return {Trial(scene).broken(), ""};
+  } catch (const SceneError& error) {
+    return {error.what(), ""};
+  } catch (const std::runtime_error& error) {
+    if (may_find_no_end(scene) && std::string(error.what()).starts_with("impacts follow")) {
+      return {"", error.what()};
+    }
+    return {std::string("ends with: ") + error.what(), ""};
+  }
+}
+
+}  // namespace carom::test
