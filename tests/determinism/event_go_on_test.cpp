@@ -32,9 +32,11 @@ const char* const kScenes[] = {
         "fill": [{"count": 40, "radius": 0.3, "temperature": 2}], "seed": 9})",
     // A ball that ends with the velocity -0.
     R"({"box": {"width": 4, "height": 4, "origin": "center"}, "effects": {"walls": {"restitution": 0}},
-        "solver": {"digits": 34}, "balls": [{"position": [0.4, -0.3], "velocity": [1, -20]}]})",
+        "solver": {"digits": 34}, "balls": [{"position": [0.4, -0.3], "velocity": [1, -20]},
+                                          {"position": [-1, -1], "velocity": [0.01, 0.02]}]})",
     R"({"box": {"width": 4, "height": 4, "origin": "center"}, "effects": {"walls": {"restitution": 0}},
-        "solver": {"digits": 100}, "balls": [{"position": [0.4, -0.3], "velocity": [1, -20]}]})",
+        "solver": {"digits": 100}, "balls": [{"position": [0.4, -0.3], "velocity": [1, -20]},
+                                          {"position": [-1, -1], "velocity": [0.01, 0.02]}]})",
 };
 
 std::string hash_at(const Scene& scene, double time) {

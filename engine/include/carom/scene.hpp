@@ -75,9 +75,9 @@ struct SavedFlight {
 
 /// Where a saved run stood; lets it go on bit for bit.
 struct Continuation {
-  double time = 0;                   ///< simulated seconds
-  double clock = 0;                  ///< frame clock, seconds
-  bool paused = false;               ///< the saved run stood still
+  double time = 0;      ///< simulated seconds
+  double clock = 0;     ///< frame clock, seconds
+  bool paused = false;  ///< the saved run stood still
   /// The frame clock and the simulated time when a pause last ended; simulated time is
   /// `time_origin` + (`clock` - `clock_origin`).  Absent: 0 where time and clock agree, else those.
   std::optional<double> clock_origin;
