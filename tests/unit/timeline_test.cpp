@@ -50,7 +50,7 @@ TEST(Timeline, ThereIsNoneWhereNobodyAskedForIt) {
 }
 
 TEST(Timeline, EveryWorkerMeetsTheBarriersInTheirOrder) {
-  const Watchdog watchdog(std::chrono::seconds(60));
+  const Watchdog watchdog;
   Crew crew(3, two_phases(2));
   crew.record_timeline(10);
   for (int frame = 0; frame < 3; ++frame) crew.do_frame();
@@ -64,7 +64,7 @@ TEST(Timeline, EveryWorkerMeetsTheBarriersInTheirOrder) {
 }
 
 TEST(Timeline, AThreadDoesOneThingAtATimeAndAFrameIsWithinItsOrder) {
-  const Watchdog watchdog(std::chrono::seconds(60));
+  const Watchdog watchdog;
   Crew crew(4, two_phases(3));
   crew.record_timeline(50);
   for (int frame = 0; frame < 20; ++frame) crew.do_frame();
@@ -94,7 +94,7 @@ TEST(Timeline, AThreadDoesOneThingAtATimeAndAFrameIsWithinItsOrder) {
 
 // Worker 0 sleeps: it computes for that long, the other waits for it.
 TEST(Timeline, TellsComputingFromWaiting) {
-  const Watchdog watchdog(std::chrono::seconds(60));
+  const Watchdog watchdog;
   Crew crew(2, two_phases(1, 30));
   crew.record_timeline(10);
   crew.do_frame();
@@ -107,7 +107,7 @@ TEST(Timeline, TellsComputingFromWaiting) {
 }
 
 TEST(Timeline, KeepsTheLastFrames) {
-  const Watchdog watchdog(std::chrono::seconds(60));
+  const Watchdog watchdog;
   Crew crew(2, two_phases(100));  // more entries than there is room for at first
   crew.record_timeline(5);
   for (int frame = 0; frame < 40; ++frame) crew.do_frame();
@@ -127,7 +127,7 @@ TEST(Timeline, KeepsTheLastFrames) {
 }
 
 TEST(Timeline, WhatDoesNotFindRoomIsMissingByWholeFrames) {
-  const Watchdog watchdog(std::chrono::seconds(60));
+  const Watchdog watchdog;
   Crew crew(1, two_phases(300));  // the first frame alone is longer than the ring at first
   crew.record_timeline(3);
   crew.do_frame();
@@ -139,7 +139,7 @@ TEST(Timeline, WhatDoesNotFindRoomIsMissingByWholeFrames) {
 }
 
 TEST(Timeline, WorkersComeAndGoWhileItIsRecorded) {
-  const Watchdog watchdog(std::chrono::seconds(60));
+  const Watchdog watchdog;
   Crew crew(2, two_phases(1));
   crew.record_timeline(100);
   crew.do_frame();
@@ -154,7 +154,7 @@ TEST(Timeline, WorkersComeAndGoWhileItIsRecorded) {
 }
 
 TEST(Timeline, RecordingIsSwitchedOffAndOnBetweenFrames) {
-  const Watchdog watchdog(std::chrono::seconds(60));
+  const Watchdog watchdog;
   Crew crew(3, two_phases(1));
   for (int round = 0; round < 200; ++round) {
     crew.record_timeline(round % 2 == 0 ? 4 : 0);
