@@ -12,12 +12,26 @@
 
 namespace carom::test {
 
-/// Tries the invariants on the scene of every seed; reports each seed that breaks one.
-inline void try_any_scenes(std::uint64_t first, std::uint64_t last) {
+/// Exact balls that lose energy under gravity and collide: some gather so that the run takes
+/// minutes of its impacts.  Which do is not told by the scene.
+inline bool may_gather(const Scene& scene) {
+  const Effects& effects = scene.effects;
+  return scene.solver.method == Method::event && effects.collisions && effects.gravity &&
+         !effects.attraction && loses_energy(scene);
+}
+
+/// Tries the invariants on the scene of every seed; reports each seed that breaks one. `leaves_out`
+/// says which scenes are not tried.
+inline void try_any_scenes(std::uint64_t first, std::uint64_t last,
+                           bool (*leaves_out)(const Scene&) = nullptr) {
   const auto [from, to] = seeds(first, last);
   std::size_t left_out = 0;
   for (std::uint64_t seed = from; seed <= to; ++seed) {
     const Scene scene = any_scene(seed);
+    if (leaves_out != nullptr && leaves_out(scene)) {
+      ++left_out;
+      continue;
+    }
     const Verdict verdict = try_invariants(scene);
     if (!verdict.left_out.empty()) ++left_out;
     if (verdict.broken.empty()) continue;
