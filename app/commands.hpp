@@ -11,6 +11,7 @@ int run(const Options& options);
 int accuracy(const Options& options);
 int check(const Options& options);
 int verify(const Options& options);
+int sweep(const Options& options);
 int scenes(const Options& options);
 
 }  // namespace carom

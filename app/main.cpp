@@ -21,6 +21,8 @@ int obey(const carom::Options& options) {
       return carom::check(options);
     case carom::Options::Command::verify:
       return carom::verify(options);
+    case carom::Options::Command::sweep:
+      return carom::sweep(options);
     case carom::Options::Command::scenes:
       return carom::scenes(options);
     case carom::Options::Command::help:

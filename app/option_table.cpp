@@ -18,9 +18,10 @@ const char* const kFiles =
     "A file is written whole or not at all.";
 
 std::vector<OptionRow> make_options() {
-  const std::vector<C> every{C::play, C::run, C::accuracy, C::check, C::verify};
-  const std::vector<C> not_accuracy{C::play, C::run, C::check, C::verify};
-  const std::vector<C> takes_scene{C::play, C::run, C::accuracy, C::check};
+  const std::vector<C> every{C::play, C::run, C::accuracy, C::check, C::verify, C::sweep};
+  const std::vector<C> not_accuracy{C::play, C::run, C::check, C::verify, C::sweep};
+  const std::vector<C> takes_scene{C::play, C::run, C::accuracy, C::check, C::sweep};
+  const std::vector<C> sweep{C::sweep};
   const std::vector<C> play{C::play};
   const std::vector<C> run{C::run};
   const std::vector<C> accuracy{C::accuracy};
@@ -44,12 +45,15 @@ std::vector<OptionRow> make_options() {
       {every, "--no-color", "", "no colours, as with NO_COLOR in the environment",
        flag(&Options::no_color)},
 
-      {{C::run, C::accuracy},
+      {{C::run, C::accuracy, C::sweep},
        "--time",
        "SECONDS",
        "simulated seconds to run; default: the scene's duration",
        seconds(&Options::time, true)},
-      {run, "--frames", "FRAMES", "frames of the frame clock to run, instead of a time",
+      {{C::run, C::sweep},
+       "--frames",
+       "FRAMES",
+       "frames of the frame clock to run, instead of a time",
        whole_number(&Options::frames, 0)},
       {run, "--dump", "FILE", "write the frames as text", text(&Options::dump)},
       {run, "--size", "COLSxROWS", "size of a dumped frame; default: 80x24", cell_size()},
@@ -80,11 +84,23 @@ std::vector<OptionRow> make_options() {
        "FILE",
        "write all results as JSON",
        text(&Options::json)},
-      {{C::run, C::accuracy},
+      {{C::run, C::accuracy, C::sweep},
        "--quiet",
        "",
        "print neither progress nor results",
        flag(&Options::quiet)},
+
+      {sweep, "--over", "/POINTER=VALUES",
+       "a value to change: FROM:TO:COUNT, FIRST..LAST or A,B,C; may be repeated",
+       texts(&Options::over)},
+      {sweep, "--jobs", "N", "runs at the same time; default: one per core",
+       whole_number(&Options::jobs, 1, 4096)},
+      {sweep, "--share", "I/N", "run share I of N only, I from 0; default: what Slurm or MPI says",
+       text(&Options::sweep_share)},
+      {sweep, "--status", "", "count the points of DIR that are done", flag(&Options::status)},
+      {sweep, "--merge", "", "write the tables of the points of DIR that are done",
+       flag(&Options::merge)},
+      {sweep, "--retry", "", "run the points that have failed again", flag(&Options::retry)},
 
       {run, "--trajectory", "FILE", "write the frames as extended XYZ", text(&Options::trajectory)},
       {run, "--events", "FILE", "write every event as a line of CSV", text(&Options::events)},
@@ -96,10 +112,11 @@ std::vector<OptionRow> make_options() {
        whole_number(&Options::trace_frames, 1)},
       {run, "--cast", "FILE", "write the frames as an asciicast", text(&Options::cast)},
       {run, "--no-state", "", "leave the state out of the report", flag(&Options::no_state)},
-      {run, "--checkpoint", "FILE", "write the state as a scene again and again",
-       text(&Options::checkpoint), false},
-      {run, "--checkpoint-every", "SECONDS", "wall-clock seconds between checkpoints",
-       seconds(&Options::checkpoint_every, false), false},
+      {run, "--checkpoint", "FILE",
+       "keep in FILE what a killed run needs to go on when it is started again",
+       text(&Options::checkpoint)},
+      {run, "--checkpoint-every", "SECONDS", "wall-clock seconds between checkpoints; default: 60",
+       seconds(&Options::checkpoint_every, false)},
       {play, "--record", "FILE", "write the session as an asciicast", text(&Options::record),
        false},
       {play, "--log", "FILE", "write what was done as a scene with a script", text(&Options::log),
@@ -122,7 +139,7 @@ std::vector<OptionRow> make_options() {
   return rows;
 }
 
-std::array<CommandRow, 7> make_commands() {
+std::array<CommandRow, 8> make_commands() {
   return {{
       {C::play, "play", "[SCENE]", kScene, 0, 1,
        "play SCENE, or the built-in scene, in the terminal", ""},
@@ -133,6 +150,9 @@ std::array<CommandRow, 7> make_commands() {
       {C::check, "check", "SCENE...", kScene, 1, kManyScenes,
        "print what a scene simulates and what it does not, or its problems", ""},
       {C::verify, "verify", "", "", 0, 0, "run the hard cases: does this build compute right", ""},
+      {C::sweep, "sweep", "SCENE DIR", "the scene, and the folder of the sweep", 1, 2,
+       "run SCENE over a grid of its values; DIR is all that tasks share",
+       "carom sweep DIR --status or --merge: of a folder that is there."},
       {C::scenes, "scenes", "", "", 0, 0, "list the installed scenes", ""},
       {C::help, "help", "[COMMAND]", "the name of a command", 0, 1,
        "print the help of COMMAND, or this help", ""},

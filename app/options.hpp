@@ -19,7 +19,7 @@ class UsageError : public std::runtime_error {
 
 /// What the command line asks for.
 struct Options {
-  enum class Command { play, run, accuracy, check, verify, scenes, help, print };
+  enum class Command { play, run, accuracy, check, verify, sweep, scenes, help, print };
 
   Command command = Command::play;
   std::string text;                 ///< print: the help or the version
@@ -75,6 +75,14 @@ struct Options {
   std::string case_name;  ///< empty: all
   bool thorough = false;  ///< the long versions
   bool list = false;      ///< name the cases instead
+
+  // sweep, which takes the time, frames and quiet of run
+  std::vector<std::string> over;      ///< each "/POINTER=VALUES"
+  std::optional<std::uint64_t> jobs;  ///< processes at the same time
+  std::string sweep_share;            ///< "I/N"; empty: what the environment says
+  bool status = false;
+  bool merge = false;
+  bool retry = false;
 };
 
 /// Reads the arguments, without the program's name.

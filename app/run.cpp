@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "carom/report.hpp"
 #include "carom/scene_file.hpp"
 #include "carom/session.hpp"
+#include "checkpoint.hpp"
 #include "commands.hpp"
 #include "export/output_file.hpp"
 #include "export/unfinished_files.hpp"
@@ -29,10 +32,15 @@ using Clock = std::chrono::steady_clock;
 
 /// Every file that a run writes, with its option.
 std::vector<std::pair<const char*, const std::string&>> files_of(const Options& options) {
-  return {{"--dump", options.dump},     {"--trajectory", options.trajectory},
-          {"--events", options.events}, {"--series", options.series},
-          {"--trace", options.trace},   {"--cast", options.cast},
-          {"--report", options.report}, {"--save", options.save}};
+  return {{"--dump", options.dump},
+          {"--trajectory", options.trajectory},
+          {"--events", options.events},
+          {"--series", options.series},
+          {"--trace", options.trace},
+          {"--cast", options.cast},
+          {"--report", options.report},
+          {"--save", options.save},
+          {"--checkpoint", options.checkpoint}};
 }
 
 bool takes_standard_output(const Options& options) {
@@ -46,46 +54,118 @@ double seconds_of(const Scene& scene, const Options& options) {
   return options.time.value_or(scene.duration);
 }
 
+/// What cannot be written before the run is wrong usage.
+template <class Open>
+void refuse_unwritable(const Open& open) {
+  try {
+    open();
+  } catch (const std::system_error& error) {
+    throw UsageError(error.what());
+  }
+}
+
+/// What went to standard output is gone when the run goes on.
+void refuse_what_cannot_go_on(const Options& options) {
+  if (options.checkpoint.empty()) return;
+  for (const auto& [option, file] : files_of(options)) {
+    const std::string name = option;
+    if (name == "--report" || name == "--save" || !is_standard_output(file)) continue;
+    throw UsageError(fmt::format(
+        "{}: with --checkpoint it must be a file: standard output cannot be taken back", name));
+  }
+}
+
+/// What tells a run from another, in one line.
+std::string identity(const Scene& scene, const Options& options) {
+  std::string text = fmt::format("carom {} time {} frames {} every {} size {}x{}", version(),
+                                 options.time.value_or(-1),
+                                 options.frames ? fmt::format("{}", *options.frames) : "-",
+                                 options.every, options.columns, options.rows);
+  for (const auto& [option, file] : files_of(options)) {
+    if (!file.empty()) text += fmt::format(" {} {}", option, file);
+  }
+  text += ' ' + write_scene(scene);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+Checkpoint checkpoint_of(const Session& session, const Schedule& schedule, RunOutputs& outputs,
+                         const std::optional<Checkpoint>& earlier) {
+  Checkpoint checkpoint;
+  checkpoint.frame = schedule.frame();
+  checkpoint.first_frame = schedule.beginning().frame;
+  checkpoint.start_time = schedule.beginning().time;
+  checkpoint.measured = session.simulation().measure();
+  if (earlier) checkpoint.measured = together(earlier->measured, checkpoint.measured);
+  checkpoint.numbering = session.simulation().numbering();
+  checkpoint.scene = session.save();
+  outputs.keep(checkpoint);
+  return checkpoint;
+}
+
 }  // namespace
 
 int run(const Options& options) {
   refuse_one_file_for_two(files_of(options));
+  refuse_what_cannot_go_on(options);
   const Scene scene = load_scene(options.scenes.front(), options);
 
   print_warnings(scene, seconds_of(scene, options));
 
   // Opened before anything runs: what cannot be written is found now.
   unfinished_files::remove_on_signals();
-  RunOutputs outputs(options);
-  OutputFile report_file("--report", options.report);
-  OutputFile save("--save", options.save);
+  std::optional<RunOutputs> outputs;
+  std::optional<OutputFile> report_file;
+  std::optional<OutputFile> save;
+  refuse_unwritable([&] {
+    outputs.emplace(options);
+    report_file.emplace("--report", options.report);
+    save.emplace("--save", options.save);
+  });
 
   const auto started = Clock::now();
-  Session session(scene);
-  Schedule schedule(session, options);
+  CheckpointFile checkpoints(options.checkpoint, options.checkpoint_every,
+                             identity(scene, options));
+  std::optional<Checkpoint> earlier = checkpoints.read();
+  std::optional<Session> holder(std::in_place, earlier ? earlier->scene : scene);
+  if (earlier) holder->simulation().go_on_from(earlier->numbering);
+  if (earlier && !outputs->go_on(*holder, *earlier)) {
+    print_error("carom: --checkpoint: its unfinished files are gone: the run begins again\n");
+    earlier.reset();
+    holder.reset();
+    holder.emplace(scene);
+  }
+  Session& session = *holder;
+  std::optional<Schedule::Beginning> beginning;
+  if (earlier) beginning = {earlier->first_frame, earlier->start_time};
+  Schedule schedule(session, options, beginning);
   Progress progress(!options.quiet);
-  outputs.begin(session);
-  outputs.frame(schedule.frame());
-  const bool watched = outputs.look_at_frames();
-  Stretch stretch(!watched && progress.shown());
+  if (!earlier) refuse_unwritable([&] { outputs->begin(session, schedule.frame()); });
+  const bool watched = outputs->look_at_frames();
+  Stretch stretch(!watched && (progress.shown() || checkpoints));
   while (watched ? schedule.next_frame() : schedule.next_frames(stretch.frames())) {
-    outputs.frame(schedule.frame());
+    outputs->frame(schedule.frame());
     progress.show(schedule.part_done(), session.simulation().time());
     stretch.adapt();
+    if (checkpoints.due() && outputs->leaves(schedule.frame())) {
+      checkpoints.write(checkpoint_of(session, schedule, *outputs, earlier));
+    }
   }
-  outputs.end(schedule.frame());
+  outputs->end(schedule.frame());
   progress.erase();
 
   Report report = make_report(session);
+  if (earlier) report.measurements = together(earlier->measured, report.measurements);
   report.frames = schedule.frames();
   report.ended = end_name(schedule.end());
   report.wall_seconds = std::chrono::duration<double>(Clock::now() - started).count();
-  report_file.write(to_json(report, !options.no_state));
-  save.write(write_scene(session.save()));
+  report_file->write(to_json(report, !options.no_state));
+  save->write(write_scene(session.save()));
 
-  outputs.commit();
-  report_file.commit();
-  save.commit();
+  outputs->commit();
+  report_file->commit();
+  save->commit();
+  checkpoints.remove();
   if (options.quiet) return 0;
   if (takes_standard_output(options)) {
     print_error(to_summary(report));

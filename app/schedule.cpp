@@ -33,12 +33,13 @@ const char* end_name(Schedule::End end) {
   }
 }
 
-Schedule::Schedule(Session& session, const Options& options)
-    : session_(session), start_time_(session.simulation().time()) {
+Schedule::Schedule(Session& session, const Options& options,
+                   const std::optional<Beginning>& beginning)
+    : session_(session), start_time_(beginning ? beginning->time : session.simulation().time()) {
   const Scene& scene = session.scene();
   const double rate = scene.frame_rate;
-  first_frame_ = frames_until(session.clock(), rate);
-  frame_ = first_frame_;
+  frame_ = frames_until(session.clock(), rate);
+  first_frame_ = beginning ? beginning->frame : frame_;
   const double fastest =
       takes_steps(scene) ? std::max(rate, 1 / session.simulation().step()) : rate;
   const double most = kMostFrames / fastest;

@@ -17,7 +17,14 @@ class Schedule {
  public:
   enum class End { none, time, frames, script, paused };
 
-  Schedule(Session& session, const Options& options);
+  /// Where a run began that goes on here.
+  struct Beginning {
+    std::uint64_t frame = 0;
+    double time = 0;  ///< simulated seconds
+  };
+
+  Schedule(Session& session, const Options& options,
+           const std::optional<Beginning>& beginning = {});
 
   /// Moves on to the next frame; false when the run is over, which may be between two frames.
   bool next_frame();
@@ -28,6 +35,7 @@ class Schedule {
 
   [[nodiscard]] std::uint64_t frame() const { return frame_; }  ///< its number on the clock
   [[nodiscard]] std::uint64_t frames() const { return frame_ - first_frame_; }
+  [[nodiscard]] Beginning beginning() const { return {first_frame_, start_time_}; }
   [[nodiscard]] End end() const { return end_; }
   [[nodiscard]] double part_done() const;
 

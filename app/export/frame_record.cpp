@@ -1,9 +1,36 @@
 #include "export/frame_record.hpp"
 
+#include <algorithm>
+
 namespace carom {
 
-FrameRecorder::FrameRecorder(Session& session, const Wanted& wanted)
-    : session_(session), wanted_(wanted) {
+Measurements together(const Measurements& before, const Measurements& since) {
+  Measurements all = since;
+  all.ball_ball += before.ball_ball;
+  all.ball_wall += before.ball_wall;
+  all.joint_impacts += before.joint_impacts;
+  all.resting_contacts += before.resting_contacts;
+  all.islands_again += before.islands_again;
+  all.missed_hits += before.missed_hits;
+  all.energy_initial = before.energy_initial;
+  all.energy_input = before.energy_input + since.energy_input;
+  const auto add = [](const auto& one, auto& other) {
+    if constexpr (requires { other.energy_dissipated; }) {
+      other.energy_dissipated += one.energy_dissipated;
+    }
+    if constexpr (requires { other.energy_largest; }) {
+      other.energy_largest = std::max(other.energy_largest, one.energy_largest);
+    }
+  };
+  add(before, all);
+  all.momentum_initial = before.momentum_initial;
+  all.max_overlap = std::max(before.max_overlap, since.max_overlap);
+  return all;
+}
+
+FrameRecorder::FrameRecorder(Session& session, const Wanted& wanted,
+                             const std::optional<Measurements>& before)
+    : session_(session), wanted_(wanted), before_(before) {
   if (wanted_.impacts) session_.simulation().record_impacts(true);
 }
 
@@ -18,7 +45,10 @@ FrameRecord FrameRecorder::record(std::uint64_t frame, bool last) {
     record.ids = simulation.ids();
   }
   if (wanted_.state_hash) record.state_hash = simulation.state_hash();
-  if (wanted_.measured) record.measured = simulation.measure();
+  if (wanted_.measured) {
+    record.measured = simulation.measure();
+    if (before_) record.measured = together(*before_, record.measured);
+  }
   if (wanted_.impacts) record.impacts = simulation.take_impacts(last);
   return record;
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,9 @@ class FrameRecorder {
     bool impacts = false;
   };
 
-  FrameRecorder(Session& session, const Wanted& wanted);
+  /// `before`: what an earlier part of the run has measured.
+  FrameRecorder(Session& session, const Wanted& wanted,
+                const std::optional<Measurements>& before = {});
 
   /// The record of a frame, without its picture; of the last one with what is told at the end only.
   [[nodiscard]] FrameRecord record(std::uint64_t frame, bool last = false);
@@ -45,6 +48,10 @@ class FrameRecorder {
  private:
   Session& session_;
   Wanted wanted_;
+  std::optional<Measurements> before_;
 };
+
+/// What was measured before and what was measured since, as of one run.
+Measurements together(const Measurements& before, const Measurements& since);
 
 }  // namespace carom

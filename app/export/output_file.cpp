@@ -92,8 +92,45 @@ OutputFile::OutputFile(const std::string& option, const std::string& name)
   (void)fchmod(descriptor_, exists ? status.st_mode & 07777U : mode_of_new_files());
 }
 
+OutputFile::OutputFile(const std::string& option, const std::string& name, Kept)
+    : name_(option + ": " + name), kept_(true) {
+  if (name.empty()) return;
+  struct stat status {};
+  const bool exists = stat(name.c_str(), &status) == 0;
+  if (named_descriptor(name) >= 0 || (exists && !S_ISREG(status.st_mode))) {
+    throw std::system_error(ESPIPE, std::generic_category(),
+                            name_ + ": a run with --checkpoint writes files only");
+  }
+  if (exists && access(name.c_str(), W_OK) != 0) fail();
+  std::error_code error;
+  target_ = exists ? std::filesystem::canonical(name, error).string() : name;
+  if (error) throw std::system_error(error, name_);
+  temporary_ = target_ + ".unfinished";
+  descriptor_ = open(temporary_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kNewFileMode);
+  if (descriptor_ < 0) fail();
+  if (exists) (void)fchmod(descriptor_, status.st_mode & 07777U);
+}
+
+std::uint64_t OutputFile::keep() {
+  if (descriptor_ < 0) return 0;
+  flush();
+  if (fsync(descriptor_) != 0) fail();
+  return static_cast<std::uint64_t>(lseek(descriptor_, 0, SEEK_CUR));
+}
+
+bool OutputFile::go_on_after(std::uint64_t length) {
+  if (descriptor_ < 0) return true;
+  struct stat status {};
+  if (fstat(descriptor_, &status) != 0) fail();
+  if (static_cast<std::uint64_t>(status.st_size) < length) return false;
+  if (ftruncate(descriptor_, static_cast<off_t>(length)) != 0) fail();
+  (void)lseek(descriptor_, 0, SEEK_END);
+  return true;
+}
+
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) close(descriptor_);
+  if (kept_) return;
   if (!temporary_.empty()) unfinished_files::remove(temporary_);
 }
 
@@ -122,7 +159,7 @@ void OutputFile::commit() {
   if (close(std::exchange(descriptor_, -1)) != 0) fail();
   if (temporary_.empty()) return;
   if (rename(temporary_.c_str(), target_.c_str()) != 0) fail();
-  unfinished_files::forget(temporary_);
+  if (!kept_) unfinished_files::forget(temporary_);
   temporary_.clear();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -19,22 +20,32 @@ class OutputFile {
  public:
   /// An empty name is no file: `write` and `commit` do nothing.  `option` is named in errors.
   OutputFile(const std::string& option, const std::string& name);
+  /// A file that stays unfinished where the program is killed, beside its name with ".unfinished",
+  /// so that another one can go on with it.
+  struct Kept {};
+  OutputFile(const std::string& option, const std::string& name, Kept);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
   [[nodiscard]] explicit operator bool() const { return descriptor_ >= 0; }
   void write(std::string_view text);
+  /// Hands over what was written so far.
+  void flush();
+  /// Of a kept file: its length, now that all is on the disk; goes on after so many bytes, which is
+  /// false where there are not as many.
+  [[nodiscard]] std::uint64_t keep();
+  [[nodiscard]] bool go_on_after(std::uint64_t length);
   void commit();
 
  private:
-  void flush();
   [[noreturn]] void fail() const;
 
   std::string name_;       // as the user knows it, for errors
   std::string target_;     // the file to replace
   std::string temporary_;  // empty: written through
   int descriptor_ = -1;
+  bool kept_ = false;
   std::string buffer_;
 };
 

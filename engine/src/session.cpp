@@ -1,6 +1,7 @@
 #include "carom/session.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace carom {
@@ -45,6 +46,7 @@ void Session::apply(const Command& command) {
     quit_ = true;
   } else {
     simulation_.apply(command);
+    obeyed_.push_back({simulation_.time(), command});
   }
 }
 
@@ -68,6 +70,25 @@ Scene Session::save() const {
   }
   scene.script.assign(scene_.script.begin() + static_cast<std::ptrdiff_t>(next_line_),
                       scene_.script.end());
+  return scene;
+}
+
+Scene Session::log() const {
+  Scene scene = scene_;
+  scene.script = obeyed_;
+  scene.solver.method = simulation_.method();
+  const double start = scene.continuation ? scene.continuation->time : 0;
+  if (scene.continuation) {
+    scene.continuation->clock = start;
+    scene.continuation->paused = false;
+  }
+  // The end is met exactly: the sum of start and duration must round to it.
+  const double end = simulation_.time();
+  scene.duration = std::max(0.0, end - start);
+  while (start + scene.duration < end) scene.duration = std::nextafter(scene.duration, end + 1);
+  while (start + scene.duration > end && scene.duration > 0) {
+    scene.duration = std::nextafter(scene.duration, 0);
+  }
   return scene;
 }
 

@@ -156,13 +156,19 @@ class Simulation::Implementation {
   void record_impacts(bool wanted) {
     solver_->record_impacts(wanted);
     recording_ = wanted;
-    record_ = {};
+    record_ = ImpactRecord(record_.next_event());
   }
   std::vector<Impact> take_impacts(bool of_all) {
     collect_impacts(of_all);
     return record_.take();
   }
   const std::vector<std::size_t>& ids() const { return ids_; }
+  Numbering numbering() const { return {ids_, next_id_, record_.next_event()}; }
+  void go_on_from(const Numbering& numbering) {
+    ids_ = numbering.ids;
+    next_id_ = numbering.next_id;
+    record_ = ImpactRecord(numbering.next_event);
+  }
 
   Crew& crew() { return crew_; }
   const Scene& scene() const { return scene_; }
@@ -324,6 +330,12 @@ Scene Simulation::save() const {
 }
 const std::vector<std::size_t>& Simulation::ids() const {
   return implementation_->ids();
+}
+Numbering Simulation::numbering() const {
+  return implementation_->numbering();
+}
+void Simulation::go_on_from(const Numbering& numbering) {
+  implementation_->go_on_from(numbering);
 }
 void Simulation::record_impacts(bool wanted) {
   implementation_->record_impacts(wanted);

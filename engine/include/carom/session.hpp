@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "carom/simulation.hpp"
 
@@ -40,6 +41,11 @@ class Session {
   /// The present state, rest of the script and frame clock as a scene that goes on bit for bit.
   [[nodiscard]] Scene save() const;
 
+  /// What was done so far as a scene: the same start, a script of the commands that were obeyed, by
+  /// simulated time, and the time that has passed as its duration.  A run of it ends in the same
+  /// bits; pauses, which change nothing, are left out.
+  [[nodiscard]] Scene log() const;
+
  private:
   void move_clock_to(double clock);
   void start_time_here();
@@ -52,6 +58,7 @@ class Session {
   bool paused_ = false;
   bool quit_ = false;
   std::size_t next_line_ = 0;
+  std::vector<ScriptLine> obeyed_;  // commands for the simulation, by simulated time
 };
 
 }  // namespace carom

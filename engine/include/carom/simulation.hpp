@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -19,6 +20,13 @@ namespace carom {
 class CommandError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// What balls and events are called from here on, so that a run that goes on calls them the same.
+struct Numbering {
+  std::vector<std::size_t> ids;  ///< of the balls, in their order
+  std::size_t next_id = 0;
+  std::uint64_t next_event = 0;
 };
 
 /// The state of a scene, one solver, only the effects asked for, and the crew of workers.
@@ -63,6 +71,10 @@ class Simulation {
   /// The number that each ball of `state` keeps for good: its place among the scene's balls, its
   /// fills and later additions, whatever has been removed.
   [[nodiscard]] const std::vector<std::size_t>& ids() const;
+  /// REQUIRES: the impacts that were noted have been taken.
+  [[nodiscard]] Numbering numbering() const;
+  /// REQUIRES: a number for each ball.
+  void go_on_from(const Numbering& numbering);
 
   /// Notes every impact and command from now on, or none any more.  Nothing else changes.
   void record_impacts(bool wanted);

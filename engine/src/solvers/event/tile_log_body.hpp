@@ -11,6 +11,7 @@ namespace carom::event {
 /// A contact of ball i with ball j, or with a wall: everything but what it carries.
 template <class P>
 Impact& Tile<P>::log_contact(At now, Index i, Index j, const Vec<S>& r) {
+  if (j < i) return log_contact(now, j, i, -r);
   const S length = root(S(r.x * r.x + r.y * r.y));
   const Vec<S> at = motion_.wrapped(motion_.place(disks_[i], now));
   Impact& impact = log_->impacts.emplace_back();
@@ -34,6 +35,8 @@ template <class P>
 void Tile<P>::log_alone(Index i, Index partner, const Before& was_a, const Before& was_b, At now) {
   const bool wall = partner >= kWalls;
   const bool moves = !wall && !motion_.fixed(disks_[partner]);
+  // Which of the two it was found from must not show in the last bits.
+  if (moves && partner < i) return log_alone(partner, i, was_b, was_a, now);
   const Disk& a = disks_[i];
   const Vec<S> a_before = motion_.velocity(was_a.disk, now);
   Vec<S> r{S(0), S(0)};
