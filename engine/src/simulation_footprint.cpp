@@ -34,7 +34,11 @@ void describe_event(const Scene& scene, Footprint& result) {
     result.lists.emplace_back("neighbours", n * kNeighbours);
   }
   result.lists.emplace_back("agenda", n * kAgenda);
-  result.barriers = {"do_frame", "impacts", "frame_done"};
+  result.barriers = {"do_frame", scene.effects.walls ? "wall_computation" : "flight"};
+  if (scene.effects.collisions) {
+    result.barriers.insert(result.barriers.end(), {"pair_computation", "pair_resolution"});
+  }
+  result.barriers.emplace_back("frame_done");
 }
 
 }  // namespace

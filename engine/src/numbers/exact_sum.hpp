@@ -26,6 +26,9 @@ class ExactSum {
     if (term != 0) parts_.push_back(term);
   }
 
+  /// Terms of which it is the sum, few and exact.
+  [[nodiscard]] const std::vector<S>& parts() const { return parts_; }
+
   S rounded() const {
     if (parts_.empty()) return S(0);
     std::size_t n = parts_.size() - 1;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "solvers/event/agenda_body.hpp"
+#include "solvers/event/groups/conflict_groups_body.hpp"
+#include "solvers/event/groups/path_meeting_body.hpp"
 #include "solvers/event/motion_body.hpp"
 #include "solvers/event/motion_rest_body.hpp"
 #include "solvers/event/neighbours_body.hpp"
@@ -20,9 +22,10 @@
 #include "solvers/event/windows_body.hpp"
 
 /// The whole method compiled for one Physics: a source file for each.
-#define CAROM_COMPILE_EVENT(PHYSICS)              \
-  namespace carom {                               \
-  template class event::Motion<event::PHYSICS>;   \
-  template class event::Tile<event::PHYSICS>;     \
-  template class event::TileCore<event::PHYSICS>; \
+#define CAROM_COMPILE_EVENT(PHYSICS)                    \
+  namespace carom {                                     \
+  template class event::Motion<event::PHYSICS>;         \
+  template class event::Tile<event::PHYSICS>;           \
+  template class event::ConflictGroups<event::PHYSICS>; \
+  template class event::TileCore<event::PHYSICS>;       \
   }

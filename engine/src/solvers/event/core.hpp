@@ -29,6 +29,7 @@ struct CoreStart {
   std::vector<Ball> balls;  ///< in the order of the scene; a fixed one has velocity 0
   Continuation from;        ///< time 0 and no flights for a fresh start
   bool rests = false;       ///< contacts can come to rest
+  std::size_t workers = 1;
   Sharing sharing;
   std::string source;  ///< the scene's file, for messages
 };
@@ -67,6 +68,7 @@ class Core {
   // Moving on, as in Solver.
   [[nodiscard]] virtual std::vector<Phase> phases() = 0;
   [[nodiscard]] virtual std::size_t aim(double time) = 0;
+  virtual void set_workers(std::size_t workers) = 0;
 
   // Changes at the present time.
   virtual void add(const Ball& ball) = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "numbers/exact_sum.hpp"
 
 namespace carom::event {
@@ -24,6 +26,8 @@ class EnergyBook {
     if (lost != 0) sum_.add(lost);
   }
   [[nodiscard]] double lost() const { return sum_.rounded(); }
+  /// Exact: terms of which it is the sum.
+  [[nodiscard]] const std::vector<double>& parts() const { return sum_.parts(); }
 
  private:
   double noted_ = 0;

@@ -41,10 +41,11 @@ EventSolver::EventSolver(const Scene& scene, std::vector<Ball> balls, const even
     : domain_(scene.box, has_walls(scene.effects)),
       effects_(scene.effects),
       balls_(with_fixed_at_rest(std::move(balls))),
-      core_(event::make_core(
-          {domain_, effects_, balls_, scene.continuation.value_or(Continuation{}),
-           event::may_rest(scene, balls_), chosen(sharing, scene, balls_.size()), scene.source},
-          scene.solver.digits)) {
+      core_(
+          event::make_core({domain_, effects_, balls_, scene.continuation.value_or(Continuation{}),
+                            event::may_rest(scene, balls_), worker_count(scene, balls_.size()),
+                            chosen(sharing, scene, balls_.size()), scene.source},
+                           scene.solver.digits)) {
   if (scene.continuation && !scene.continuation->flights.empty()) refuse_other_places(scene);
 }
 

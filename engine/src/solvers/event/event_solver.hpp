@@ -20,7 +20,7 @@ class EventSolver final : public Solver {
   EventSolver(const Scene& scene, std::vector<Ball> balls, const event::Sharing& sharing = {});
 
   [[nodiscard]] std::vector<Phase> phases() override { return core_->phases(); }
-  void set_workers(std::size_t) override {}
+  void set_workers(std::size_t workers) override { core_->set_workers(workers); }
   [[nodiscard]] std::size_t aim(double time) override { return core_->aim(time); }
   void add(const Ball& ball) override;
   void remove(std::size_t ball) override;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/crowd.hpp"
@@ -13,6 +16,7 @@
 #include "solvers/event/agenda.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/energy_book.hpp"
+#include "solvers/event/groups/path.hpp"
 #include "solvers/event/huge_pages.hpp"
 #include "solvers/event/journal.hpp"
 #include "solvers/event/motion.hpp"
@@ -39,6 +43,20 @@ struct Counts {
   std::uint64_t wakes = 0;             ///< crowds at rest that were hit
   std::uint64_t steps = 0;             ///< of crowds
   double max_overlap = 0;              ///< deepest overlap at an impact / smaller radius
+
+  Counts& operator+=(const Counts& other) {
+    ball_ball += other.ball_ball;
+    ball_wall += other.ball_wall;
+    renewals += other.renewals;
+    scans += other.scans;
+    vain += other.vain;
+    joint_impacts += other.joint_impacts;
+    resting_contacts += other.resting_contacts;
+    wakes += other.wakes;
+    steps += other.steps;
+    max_overlap = std::max(max_overlap, other.max_overlap);
+    return *this;
+  }
 };
 
 /// Wall-clock seconds of what effects do.
@@ -82,6 +100,8 @@ class Tile {
   static constexpr bool kCanRest = Motion<P>::kCanRest;
 
   explicit Tile(BasicRules<S> rules);
+  /// Of some of `population` balls that others are of, too.
+  Tile(std::shared_ptr<const Motion<P>> motion, std::size_t population);
   Tile(const Tile&) = delete;
   Tile& operator=(const Tile&) = delete;
 
@@ -104,12 +124,20 @@ class Tile {
   [[nodiscard]] Index left(Index i) const { return left_.empty() ? kUnknown : left_[i]; }
   [[nodiscard]] const Motion<P>& motion() const { return motion_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
+  /// What has happened since the last time this was asked.
+  [[nodiscard]] Counts take_counts() { return std::exchange(counts_, Counts{}); }
+  /// From now on every flight that begins is noted.  `paths` must outlive it.
+  void record(Paths<P>* paths) { paths_ = paths; }
   /// How often each flight since `reset` was brought back round a periodic axis that gravity pulls
   /// along; empty for other axes.
   [[nodiscard]] const Turns& turns() const { return turns_; }
   [[nodiscard]] std::size_t bytes() const;
   /// The energy that impacts since it was made have taken, and drag from flights that are over.
   [[nodiscard]] double lost() const { return book_.lost(); }
+  /// The same since the last time this was asked, as terms of an exact sum.
+  [[nodiscard]] std::vector<double> take_lost() {
+    return std::exchange(book_, EnergyBook{}).parts();
+  }
   /// From a sample of the events, scaled to all.
   [[nodiscard]] Costs costs() const;
 
@@ -255,7 +283,10 @@ class Tile {
   void gather(Gathering& crowd, At now) requires kCanRest;
   void fly_on(Gathering& crowd, At now) requires kCanRest;
 
-  Motion<P> motion_;
+  std::shared_ptr<const Motion<P>> shared_motion_;
+  const Motion<P>& motion_ = *shared_motion_;
+  std::size_t population_ = 0;  ///< of which the balls are a part; 0: none
+  Paths<P>* paths_ = nullptr;
   HugeVector<Disk> disks_;
   std::vector<S> spins_;
   Neighbours<P> neighbours_{motion_};
@@ -269,6 +300,7 @@ class Tile {
   std::uint64_t samples_ = 0;  ///< events that were timed
   std::uint32_t untimed_ = 0;  ///< events before the next one that is
   Time next_step_ = P::Clock::never();  ///< of crowds
+  Time stepped_ = 0;                    ///< when the last one was, or the balls were taken
   std::vector<int> number_;             ///< in the crowd that is looked at; -1
   Journal<P>* journal_ = nullptr;
   ImpactLog* log_ = nullptr;  ///< null: impacts are not noted

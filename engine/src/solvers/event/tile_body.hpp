@@ -13,7 +13,12 @@ namespace carom::event {
 inline constexpr double kPerBucket = 64;
 
 template <class P>
-Tile<P>::Tile(BasicRules<S> rules) : motion_(std::move(rules)) {}
+Tile<P>::Tile(BasicRules<S> rules)
+    : shared_motion_(std::make_shared<const Motion<P>>(std::move(rules))) {}
+
+template <class P>
+Tile<P>::Tile(std::shared_ptr<const Motion<P>> motion, std::size_t population)
+    : shared_motion_(std::move(motion)), population_(population) {}
 
 template <class P>
 void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left,
@@ -59,6 +64,7 @@ void Tile<P>::begin(const std::vector<Disk>& disks, At now, const Plot& plot) {
   watched_from_ = now;
   watched_ = 0;
   next_step_ = P::Clock::never();
+  stepped_ = now;
   if constexpr (kCanRest) start_resting(now);
   counted_.clear();
   bool counts = motion_.rules().drag_rate > 0;
@@ -129,6 +135,7 @@ void Tile<P>::advance_to(At until) {
         if (wanted(entry)) take(entry);
       } else if (next_step_ <= until) {
         next_step_ = P::Clock::never();
+        stepped_ = at;
         step_crowds(at);
       } else {
         reached_ = until;
@@ -186,6 +193,7 @@ void Tile<P>::rebase(At by) {
     if (disk.leaves != P::Clock::never()) disk.leaves -= by;
   }
   if (next_step_ != P::Clock::never()) next_step_ -= by;
+  stepped_ -= by;
   reached_ -= by;
   // Long ago is long ago, however many eras: the ticks of all of them are no number.
   watched_from_ = watched_from_ >= by ? Time(watched_from_ - by) : Time(Time(-1) - kShortTicks);

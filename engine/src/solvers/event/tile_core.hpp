@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solvers/event/core.hpp"
+#include "solvers/event/groups/conflict_groups.hpp"
 #include "solvers/event/tile.hpp"
 #include "solvers/event/windows.hpp"
 
@@ -28,6 +29,7 @@ class TileCore final : public Core {
 
   [[nodiscard]] std::vector<Phase> phases() override;
   [[nodiscard]] std::size_t aim(double time) override;
+  void set_workers(std::size_t workers) override;
   void add(const Ball& ball) override;
   void remove(std::size_t ball) override;
   void set(const Domain& domain, const Effects& effects, bool bends) override;
@@ -57,11 +59,19 @@ class TileCore final : public Core {
   static constexpr bool kShares = kIsDouble<S>;
 
   [[nodiscard]] std::vector<Phase> phases_of_windows() requires kShares;
+  [[nodiscard]] std::size_t aim_groups();
+  [[nodiscard]] std::size_t finish_groups(std::size_t phase);
+  /// Conflict groups are for several workers, and one event loop for one.
+  [[nodiscard]] bool in_groups() const { return workers_ > 1 && sharing_.parts < 2; }
   [[nodiscard]] bool shares(const BasicRules<S>& rules) const;
   [[nodiscard]] std::size_t aim_windows() requires kShares;
   [[nodiscard]] std::size_t finish(std::size_t phase) requires kShares;
   void sort_again();
   [[nodiscard]] const Disk& flight(std::size_t ball) const;
+  /// The fixed ball at which the flight began; kUnknown: none.
+  [[nodiscard]] Index left(std::size_t ball) const;
+  /// Null where balls do not rub.
+  [[nodiscard]] const S* spin(std::size_t ball) const;
   [[nodiscard]] const Motion<P>& motion() const;
   [[nodiscard]] const Counts& counts() const;
   [[nodiscard]] Costs costs() const;
@@ -87,12 +97,14 @@ class TileCore final : public Core {
   std::vector<Index> slot_;        // where in the tile a ball is
   typename P::Clock scale_;
   Sharing sharing_;
-  bool in_windows_ = false;              // the present frame is done in windows
-  bool one_tile_ = false;                // windows did not get on
-  std::unique_ptr<Tile<P>> tile_;        // all balls,
-  std::unique_ptr<Windows<P>> windows_;  // or those of the parts
-  std::uint64_t again_ = 0;              // solved again by windows that are gone
-  Counts before_;                        // counted in tiles that are gone
+  bool in_windows_ = false;                    // the present frame is done in windows
+  bool one_tile_ = false;                      // windows did not get on
+  std::unique_ptr<Tile<P>> tile_;              // all balls,
+  std::unique_ptr<Windows<P>> windows_;        // or those of the parts,
+  std::unique_ptr<ConflictGroups<P>> groups_;  // or those that meet
+  std::size_t workers_ = 1;
+  std::uint64_t again_ = 0;  // solved again by windows that are gone
+  Counts before_;            // counted in tiles that are gone
   Costs costs_before_;
   double lost_before_ = 0;     // energy
   double windows_energy_ = 0;  // kinetic, as they began,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "carom/scene_file.hpp"
@@ -32,6 +33,7 @@ TileCore<P>::TileCore(CoreStart start)
                  ? P::Clock::of_tick(*start.from.tick)
                  : typename P::Clock(crossing_time(domain_, effects_, balls_))),
       sharing_(start.sharing),
+      workers_(start.workers),
       now_(moment(start.from.time)),
       target_(now_) {
   if (start.from.flights.empty()) {
@@ -92,11 +94,22 @@ std::vector<Phase> TileCore<P>::phases() {
     if (windows_) return phases_of_windows();
   }
   sharing_.parts = 1;
-  return {{"impacts",
-           [this](Share share) {
-             if (share.index == 0) advance();
-           },
-           [] { return Phase::kFrameDone; }}};
+  std::vector<const char*> names{effects_.walls ? "wall_computation" : "flight"};
+  if (effects_.collisions) names.insert(names.end(), {"pair_computation", "pair_resolution"});
+  std::vector<Phase> phases;
+  for (const char* name : names) {
+    const std::size_t number = phases.size();
+    phases.push_back({name,
+                      [this, number](Share share) {
+                        if (groups_) {
+                          groups_->work(number, share);
+                        } else if (share.index == 0) {
+                          advance();
+                        }
+                      },
+                      [this, number] { return finish_groups(number); }});
+  }
+  return phases;
 }
 
 template <class P>
@@ -129,7 +142,43 @@ std::size_t TileCore<P>::aim(double time) {
     if (in_windows_) return aim_windows();
   }
   if (sharing_.parts > 1) return Windows<P>::kImpacts;
-  return 0;
+  if (groups_) return aim_groups();
+  return effects_.collisions ? ConflictGroups<P>::kResolve : ConflictGroups<P>::kFly;
+}
+
+template <class P>
+void TileCore<P>::set_workers(std::size_t workers) {
+  const bool were = in_groups();
+  workers_ = workers;
+  if (were != in_groups() && !windows_) {
+    land();
+    start();
+  }
+  if (groups_) groups_->set_workers(workers);
+}
+
+template <class P>
+std::size_t TileCore<P>::aim_groups() {
+  return groups_->aim(now_.era < target_.era ? P::Clock::era() : target_.ticks);
+}
+
+template <class P>
+std::size_t TileCore<P>::finish_groups(std::size_t phase) {
+  if (!groups_) return Phase::kFrameDone;
+  std::size_t next = groups_->finish(phase);
+  while (next == Phase::kFrameDone) {
+    now_.ticks = groups_->now();
+    if (log_.wanted) {
+      groups_->take_impacts(log_.impacts);
+      collect_log();
+    }
+    if (now_.era == target_.era) return Phase::kFrameDone;
+    groups_->rebase(P::Clock::era());
+    now_ = {now_.era + 1, 0};
+    if (target_.ticks == 0) return Phase::kFrameDone;
+    next = aim_groups();
+  }
+  return next;
 }
 
 template <class P>
@@ -202,7 +251,20 @@ auto TileCore<P>::flight(std::size_t ball) const -> const Disk& {
   if constexpr (kShares) {
     if (windows_) return windows_->flight(slot_[ball]);
   }
+  if (groups_) return groups_->flight(ball);
   return tile_->disks()[slot_[ball]];
+}
+
+template <class P>
+auto TileCore<P>::spin(std::size_t ball) const -> const S* {
+  if (!effects_.friction || windows_) return nullptr;
+  return groups_ ? &groups_->spin(ball) : &tile_->spins()[slot_[ball]];
+}
+
+template <class P>
+Index TileCore<P>::left(std::size_t ball) const {
+  if (windows_) return kUnknown;
+  return groups_ ? groups_->left(ball) : tile_->left(slot_[ball]);
 }
 
 template <class P>
@@ -210,7 +272,7 @@ const Motion<P>& TileCore<P>::motion() const {
   if constexpr (kShares) {
     if (windows_) return windows_->motion();
   }
-  return tile_->motion();
+  return groups_ ? groups_->motion() : tile_->motion();
 }
 
 template <class P>
@@ -218,7 +280,7 @@ const Counts& TileCore<P>::counts() const {
   if constexpr (kShares) {
     if (windows_) return windows_->counts();
   }
-  return tile_->counts();
+  return groups_ ? groups_->counts() : tile_->counts();
 }
 
 template <class P>
@@ -226,22 +288,23 @@ Costs TileCore<P>::costs() const {
   if constexpr (kShares) {
     if (windows_) return windows_->costs();
   }
-  return tile_->costs();
+  return groups_ ? groups_->costs() : tile_->costs();
 }
 
 template <class P>
 Turns TileCore<P>::turns(bool of_present_flights) const {
   Turns turns = turns_before_;
-  if (!tile_) return turns;
+  if (!tile_ && !groups_) return turns;
+  const Turns& since = groups_ ? groups_->turns() : tile_->turns();
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    if (tile_->turns()[axis].empty()) {
+    if (since[axis].empty()) {
       turns[axis].clear();
       continue;
     }
     turns[axis].resize(slot_.size(), 0);
     const S period = domain_.period[axis];
     for (std::size_t i = 0; i < slot_.size(); ++i) {
-      turns[axis][i] += tile_->turns()[axis][slot_[i]];
+      turns[axis][i] += since[axis][slot_[i]];
       if (!of_present_flights || balls_[i].fixed) continue;
       const Vec<S> at = motion().place(flight(i), now_.ticks);
       const Vec<S> image = motion().wrapped(at);
@@ -257,7 +320,7 @@ template <class P>
 void TileCore<P>::land() {
   collect_log();
   // What a flight has gone round stays with it until it ends.
-  if (tile_) turns_before_ = turns(false);
+  if (tile_ || groups_) turns_before_ = turns(false);
   look(balls_);
   flights_.resize(slot_.size());
   left_.assign(slot_.size(), kUnknown);
@@ -267,9 +330,9 @@ void TileCore<P>::land() {
   for (std::size_t i = 0; i < slot_.size(); ++i) {
     flights_[i] = flight(i);
     carried_[i] = motion().carried(flights_[i]);
-    const Index left = windows_ ? kUnknown : tile_->left(slot_[i]);
+    const Index left = this->left(i);
     if (left != kUnknown) left_[i] = number[left];
-    if (tile_ && !tile_->spins().empty()) spins_[i] = tile_->spins()[slot_[i]];
+    if (const S* spin = this->spin(i)) spins_[i] = *spin;
   }
   before_.ball_ball += counts().ball_ball;
   before_.ball_wall += counts().ball_wall;
@@ -299,6 +362,9 @@ void TileCore<P>::start() {
                       effects_.friction.has_value(),
                       rests_};
   slot_ = places_in_memory(domain_, balls_);
+  const bool windows = shares(rules);
+  if (!windows && !windows_ && !one_tile_) sharing_.parts = 1;  // it has no phases of windows
+  if (!windows && in_groups()) std::iota(slot_.begin(), slot_.end(), 0U);
   std::map<std::pair<S, S>, Index> kinds;
   std::vector<Disk> disks(balls_.size());
   for (std::size_t i = 0; i < balls_.size(); ++i) {
@@ -314,8 +380,9 @@ void TileCore<P>::start() {
     disks[slot_[i]].kind += static_cast<Index>(carried_[i] * rules.kinds.size());
   }
   if constexpr (kShares) {
-    if (shares(rules)) {
+    if (windows) {
       tile_.reset();
+      groups_.reset();
       windows_ = std::make_unique<Windows<P>>(rules, sharing_);
       windows_->reset(std::move(disks), now_.ticks);
       flights_.clear();
@@ -327,8 +394,18 @@ void TileCore<P>::start() {
     }
   }
   windows_.reset();
-  tile_ = std::make_unique<Tile<P>>(std::move(rules));
+  tile_.reset();
+  groups_.reset();
   left_.resize(balls_.size(), kUnknown);
+  if (in_groups()) {
+    groups_ = std::make_unique<ConflictGroups<P>>(rules);
+    groups_->set_workers(workers_);
+    groups_->note_impacts(log_.wanted);
+    groups_->reset(disks, now_.ticks, left_, effects_.friction ? spins_ : std::vector<S>{});
+    flights_.clear();
+    return;
+  }
+  tile_ = std::make_unique<Tile<P>>(std::move(rules));
   std::vector<Index> left(balls_.size(), kUnknown);
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     if (left_[i] != kUnknown) left[slot_[i]] = slot_[left_[i]];
@@ -365,7 +442,8 @@ double TileCore<P>::present_drag() const {
 
 template <class P>
 double TileCore<P>::dissipated() const {
-  return lost_before_ + (tile_ ? tile_->lost() : 0) + present_drag();
+  return lost_before_ + (tile_ ? tile_->lost() : 0) + (groups_ ? groups_->lost() : 0) +
+         present_drag();
 }
 
 // Impacts are noted by one tile alone: parts of the plane take some of theirs back.
@@ -428,6 +506,7 @@ template <class P>
 void TileCore<P>::remove(std::size_t ball) {
   if constexpr (Motion<P>::kCanRest) {
     if (tile_) tile_->wake_around(slot_[ball], now_.ticks);
+    if (groups_) groups_->wake_around(ball, now_.ticks);
   }
   land();
   balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(ball));
@@ -474,9 +553,7 @@ void TileCore<P>::look(std::vector<Ball>& balls) const {
     const auto v = motion().velocity(disk, now_.ticks);
     balls[i].position = {static_cast<double>(at.x), static_cast<double>(at.y)};
     balls[i].velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
-    if (tile_ && !tile_->spins().empty()) {
-      balls[i].spin = static_cast<double>(tile_->spins()[slot_[i]]);
-    }
+    if (const S* spin = this->spin(i)) balls[i].spin = static_cast<double>(*spin);
   }
 }
 
@@ -503,6 +580,7 @@ template <class P>
 double TileCore<P>::energy_ahead() const {
   if constexpr (Motion<P>::kCanRest) {
     if (tile_) return tile_->given_ahead(now_.ticks);
+    if (groups_) return groups_->given_ahead(now_.ticks);
   }
   return 0;
 }
@@ -535,12 +613,10 @@ void TileCore<P>::save(Continuation& continuation) const {
   std::vector<std::size_t> number(slot_.size());
   for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = i;
   for (std::size_t i = 0; i < slot_.size(); ++i) {
-    const bool spins = tile_ && !tile_->spins().empty();
-    continuation.flights.push_back(
-        saved<P>(flight(i), spins ? &tile_->spins()[slot_[i]] : nullptr));
+    continuation.flights.push_back(saved<P>(flight(i), spin(i)));
     SavedFlight& flight = continuation.flights.back();
     flight.carried = motion().carried(this->flight(i));
-    const Index left = windows_ ? kUnknown : tile_->left(slot_[i]);
+    const Index left = this->left(i);
     if (left != kUnknown) flight.left = number[left];
   }
 }

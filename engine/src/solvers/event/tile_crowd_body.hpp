@@ -72,6 +72,7 @@ void Tile<P>::gather(Gathering& crowd, At now) requires kCanRest {
     const S radius = motion_.kind(disks_[i]).radius;
     const auto found = neighbours_.around(static_cast<double>(here.x), static_cast<double>(here.y));
     around.assign(found.begin(), found.end());
+    std::sort(around.begin(), around.end());
     for (const Index j : around) {
       if (j == i) continue;
       const bool fixed = motion_.fixed(disks_[j]);

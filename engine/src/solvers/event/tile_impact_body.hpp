@@ -19,7 +19,8 @@ void Tile<P>::watch(At now) {
     }
   }
   ++watched_;
-  if (++at_once_ > 1000 + 100 * disks_.size() || watched_ > kManyImpacts + 1000 * disks_.size()) {
+  const std::size_t balls = std::max(population_, disks_.size());
+  if (++at_once_ > 1000 + 100 * balls || watched_ > kManyImpacts + 1000 * balls) {
     throw std::runtime_error(
         "impacts follow each other without end: such contacts are for method \"overlap\"");
   }
@@ -55,6 +56,9 @@ template <class P>
 void Tile<P>::look_again(Index i, At now) {
   if (motion_.fixed(disks_[i])) return;
   if (!counted_.empty()) end_flight(i, now);
+  if (paths_ != nullptr) {
+    paths_->note(i, {disks_[i], left(i), spins_.empty() ? S(0) : spins_[i]});
+  }
   if (motion_.rules().collisions) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
   scan(i, now);
   announce(i);

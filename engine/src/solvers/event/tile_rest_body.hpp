@@ -28,7 +28,11 @@ template <class P>
 void Tile<P>::schedule_step(At now) requires kCanRest {
   if (next_step_ != P::Clock::never() || !(motion_.pull() > 0)) return;
   const int shift = motion_.step_shift();
-  next_step_ = P::Clock::span(P::Clock::steps(now, shift) + 1, shift);
+  next_step_ = P::Clock::span(P::Clock::steps(now, shift), shift);
+  // Impacts of the very moment of a step come before it, whether or not others are stepped.
+  if (next_step_ < now || !(stepped_ < now)) {
+    next_step_ = P::Clock::span(P::Clock::steps(now, shift) + 1, shift);
+  }
 }
 
 template <class P>

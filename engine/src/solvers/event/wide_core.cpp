@@ -33,6 +33,11 @@ std::size_t WideCore::aim(double time) {
   return core_->aim(time);
 }
 
+void WideCore::set_workers(std::size_t workers) {
+  const WidePrecision precision(digits_);
+  core_->set_workers(workers);
+}
+
 void WideCore::add(const Ball& ball) {
   const WidePrecision precision(digits_);
   core_->add(ball);

@@ -15,6 +15,7 @@ class WideCore final : public Core {
 
   [[nodiscard]] std::vector<Phase> phases() override;
   [[nodiscard]] std::size_t aim(double time) override;
+  void set_workers(std::size_t workers) override;
   void add(const Ball& ball) override;
   void remove(std::size_t ball) override;
   void set(const Domain& domain, const Effects& effects, bool bends) override;

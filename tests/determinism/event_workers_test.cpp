@@ -1,0 +1,123 @@
+// Method event with any number of workers: the bits and counts of one worker, in every scene of the
+// tree, at any frame rate.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "carom/scene_file.hpp"
+#include "carom/session.hpp"
+#include "support/process.hpp"
+#include "support/scenes.hpp"
+
+namespace carom {
+namespace {
+
+struct Outcome {
+  std::string state_hash;
+  std::uint64_t ball_ball = 0;
+  std::uint64_t ball_wall = 0;
+  std::uint64_t joint_impacts = 0;
+  std::uint64_t resting_contacts = 0;
+  double max_overlap = 0;
+  double energy = 0;
+  double dissipated = 0;
+
+  bool operator==(const Outcome&) const = default;
+};
+
+std::ostream& operator<<(std::ostream& out, const Outcome& o) {
+  return out << o.state_hash << ' ' << o.ball_ball << ' ' << o.ball_wall << ' ' << o.joint_impacts
+             << ' ' << o.resting_contacts << ' ' << o.max_overlap << ' ' << o.energy;
+}
+
+Outcome run(Scene scene, std::size_t workers, double time, double frame_rate) {
+  scene.workers = workers;
+  Session session(scene);
+  for (int frame = 1; frame < time * frame_rate; ++frame) {
+    session.advance_clock_to(frame / frame_rate);
+  }
+  session.advance_clock_to(time);
+  const Measurements measured = session.simulation().measure();
+  return {session.simulation().state_hash(),
+          measured.ball_ball,
+          measured.ball_wall,
+          measured.joint_impacts,
+          measured.resting_contacts,
+          measured.max_overlap,
+          measured.energy_final,
+          measured.energy_dissipated};
+}
+
+void expect_same_with_any_workers(const Scene& scene, double time, const std::string& name) {
+  const Outcome expected = run(scene, 1, time, 30);
+  const std::size_t balls = populate(scene).size();
+  const std::size_t per_ball = std::clamp<std::size_t>(balls, 2, 64);
+  for (const std::size_t workers : {std::size_t{2}, std::size_t{3}, per_ball}) {
+    EXPECT_EQ(run(scene, workers, time, 30), expected) << name << ", " << workers << " workers";
+  }
+  EXPECT_EQ(run(scene, 3, time, 7), expected) << name << ", 7 frames a second";
+}
+
+TEST(EventWorkers, GiveTheSameBitsInEveryScene) {
+  std::size_t scenes = 0;
+  const std::filesystem::path folder = std::filesystem::path(CAROM_SOURCE_DIR) / "scenes";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".json" || name == "scene.schema.json") continue;
+    Scene scene = parse_scene(support::read_file(entry.path()), name);
+    scene.solver.method = Method::event;
+    if (populate(scene).size() > 1100) continue;
+    expect_same_with_any_workers(scene, 1.5, name);
+    ++scenes;
+  }
+  EXPECT_GT(scenes, 15U);
+}
+
+TEST(EventWorkers, GiveTheSameBitsInMoreDigits) {
+  Scene scene = test::walled_gas(4, 4, 0.4);
+  scene.effects.gravity = Gravity{{0.1, -2}};
+  scene.balls[5].fixed = true;
+  for (const int digits : {34, 50, 100}) {
+    scene.solver.method = Method::event;
+    scene.solver.digits = digits;
+    expect_same_with_any_workers(scene, 1, std::to_string(digits) + " digits");
+  }
+}
+
+TEST(EventWorkers, GiveTheSameBitsWhereBallsComeAndGo) {
+  Scene scene = test::walled_gas(8, 8, 0.5);
+  scene.solver.method = Method::event;
+  scene.effects.gravity = Gravity{{0, -9.81}};
+  scene.effects.walls->restitution = 0.7;
+  scene.effects.collisions->restitution = 0.8;
+  Effects sideways;
+  sideways.gravity = Gravity{{1, 0}};
+  scene.script = {
+      {0.21, command::Remove{3}}, {0.4, command::Remove{}}, {0.7, command::SetEffects{sideways}}};
+  expect_same_with_any_workers(scene, 2, "script");
+}
+
+TEST(EventWorkers, HaveThePhasesThatTheEffectsAskFor) {
+  const auto phases = [](const Scene& scene) {
+    std::vector<std::string> names;
+    for (const auto& [name, seconds] : Simulation(scene).measure().phases) names.push_back(name);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  for (const std::size_t workers : {1, 2, 16}) {
+    Scene scene = test::walled_gas(4, 4, 0.4);
+    scene.solver.method = Method::event;
+    scene.workers = workers;
+    EXPECT_EQ(phases(scene), (Names{"wall_computation", "pair_computation", "pair_resolution"}));
+    scene.effects.walls.reset();
+    EXPECT_EQ(phases(scene), (Names{"flight", "pair_computation", "pair_resolution"}));
+    scene.effects.collisions.reset();
+    EXPECT_EQ(phases(scene), Names{"flight"});
+  }
+}
+
+}  // namespace
+}  // namespace carom
