@@ -46,7 +46,7 @@ std::string periodic_gas(std::size_t count, double radius, double duration) {
 class Written {
  public:
   Written(const std::string& scene, const std::vector<std::string>& outputs,
-      const std::vector<std::string>& more = {}) {
+          const std::vector<std::string>& more = {}) {
     support::write_file(folder_ / "scene.json", scene);
     std::vector<std::string> words{CAROM_PROGRAM, "run",      (folder_ / "scene.json").string(),
                                    "--quiet",     "--report", path("report")};
@@ -180,11 +180,12 @@ TEST(Events, AreInTheOrderOfTimeAndOfTheBallsAndNameThem) {
 
 // Two balls strike a third at once, and one elsewhere strikes a wall at that time.
 TEST(Events, OfOneInstantThatShareABallShareANumber) {
-  const Written run(R"({"box": {"width": 20, "height": 10}, "effects": {"collisions": {}, "walls": {}},
+  const Written run(
+      R"({"box": {"width": 20, "height": 10}, "effects": {"collisions": {}, "walls": {}},
     "balls": [{"position": [5, 5], "velocity": [1, 0]}, {"position": [10, 5]},
               {"position": [15, 5], "velocity": [-1, 0]}, {"position": [10, 9], "radius": 0.25,
                "velocity": [0, 0.1875]}], "duration": 5})",
-                {"events"});
+      {"events"});
   const auto rows = run.table("events");
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].at("kind"), "joint");
@@ -321,7 +322,7 @@ TEST(Series, ThePressureOnTheWallsOfADiluteGasIsThatOfTheVirial) {
   const Written run(R"({"box": {"width": 10, "height": 10}, "solver": {"method": "event"},
     "effects": {"collisions": {}, "walls": {}}, "seed": 5, "duration": 400, "frame_rate": 1,
     "fill": [{"count": 100, "radius": 0.01, "temperature": 1}]})",
-                {"series", "events"});
+                    {"series", "events"});
   double push = 0;
   std::size_t hits = 0;
   for (const Row& row : run.table("events")) {
