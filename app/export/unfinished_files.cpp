@@ -11,6 +11,8 @@
 #include <climits>
 #include <cstdlib>
 
+#include "ending_signals.hpp"
+
 namespace carom::unfinished_files {
 namespace {
 
@@ -67,14 +69,23 @@ void forget(const std::string& name) {
 }
 
 void remove_on_signals() {
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) {
+  const auto install = [](int number, int flags) {
     struct sigaction action {};
-    (void)sigaction(number, nullptr, &action);
-    if (action.sa_handler == SIG_IGN) continue;
+    // What was ignored stays so, and what somebody else handles is theirs.
+    if (sigaction(number, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) return;
     action = {};
     action.sa_handler = remove_and_end;
+    action.sa_flags = flags;
     (void)sigaction(number, &action, nullptr);
-  }
+  };
+  for (const int number : requests_to_end()) install(number, 0);
+  // A crash for lack of stack leaves none for the handler: it has its own on the control thread.
+  static std::array<char, std::size_t{64} * 1024> stack;
+  stack_t other{};
+  other.ss_sp = stack.data();
+  other.ss_size = stack.size();
+  (void)sigaltstack(&other, nullptr);
+  for (const int number : crashes()) install(number, SA_ONSTACK);
 }
 
 }  // namespace carom::unfinished_files

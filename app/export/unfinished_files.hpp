@@ -14,8 +14,8 @@ void remove(const std::string& name);
 /// The file is finished, or gone.
 void forget(const std::string& name);
 
-/// From now on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGPIPE remove the files before they end the
-/// program as ever; one that was ignored stays ignored.
+/// From now on every signal that ends the program, a crash too, removes the files first; only
+/// SIGKILL cannot.  One that was ignored stays ignored.
 void remove_on_signals();
 
 }  // namespace carom::unfinished_files

@@ -46,7 +46,7 @@ const std::vector<Layer> kLayers{
     {"engine/src/report/", {"carom/", "fmt/", "nlohmann/"}},
     {"engine/src/", {"carom/", "impact_record.hpp", "state/", "fmt/"}},
     {"app/view/", {"carom/", "view/", "fmt/", "curses.h", "term.h"}},
-    {"app/export/", {"carom/", "export/", "fmt/"}},
+    {"app/export/", {"carom/", "export/", "ending_signals.hpp", "fmt/"}},
     {"app/sweep/", {"sweep/", "options.hpp", "fmt/", "nlohmann/"}},
     {"app/help", {"help.hpp", "fmt/", "CLI/"}},
     {"app/options.cpp", {"carom/", "options.hpp", "option_table.hpp", "help.hpp", "fmt/", "CLI/"}},
