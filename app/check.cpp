@@ -13,6 +13,8 @@ namespace carom {
 
 namespace {
 
+constexpr std::string_view kSchemaEnding = ".schema.json";
+
 std::string row(std::string_view name, std::string_view value) {
   return fmt::format("  {:<15}{}\n", name, value);
 }
@@ -120,20 +122,33 @@ std::string describe(const std::string& file, const Scene& scene) {
   return text;
 }
 
+void print_problems(const SceneError& error) {
+  constexpr std::size_t kMostTold = 50;
+  const auto& problems = error.problems();
+  const std::size_t told = std::min(problems.size(), kMostTold);
+  for (std::size_t i = 0; i < told; ++i) print_error_line(error.line(problems[i]));
+  if (problems.size() > told) {
+    print_error_line(
+        fmt::format("{}: and {} more problems", error.source(), problems.size() - told));
+  }
+}
+
 }  // namespace
 
 int check(const Options& options) {
   bool good = true;
   for (const std::string& file : options.scenes) {
+    if (file.ends_with(kSchemaEnding)) {
+      print(fmt::format("{}: the schema of scenes, not a scene\n", file));
+      continue;
+    }
     try {
       const Scene scene = load_scene(file, options);
       print(describe(file, scene));
       print_warnings(scene, scene.duration);
     } catch (const SceneError& error) {
       good = false;
-      for (const Problem& problem : error.problems()) {
-        print_error("carom: " + error.line(problem) + '\n');
-      }
+      print_problems(error);
     }
   }
   return good ? 0 : 2;

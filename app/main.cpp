@@ -1,4 +1,5 @@
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ int obey(const carom::Options& options) {
 }
 
 int say(const std::exception& error, int status) {
-  carom::print_error(std::string("carom: ") + error.what() + '\n');
+  carom::print_error_line(error.what());
   return status;
 }
 
@@ -48,6 +49,9 @@ int main(int argc, char** argv) {
     return say(error, 2);
   } catch (const carom::SceneError& error) {
     return say(error, 2);
+  } catch (const std::bad_alloc&) {
+    carom::print_error_line("not enough memory: make the scene smaller, or allow the program more");
+    return 1;
   } catch (const std::exception& error) {
     return say(error, 1);
   }

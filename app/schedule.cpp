@@ -45,16 +45,17 @@ Schedule::Schedule(Session& session, const Options& options,
   const double most = kMostFrames / fastest;
   if (options.frames) {
     if (static_cast<double>(*options.frames) / rate > most) {
-      throw UsageError(
-          fmt::format("--frames: must be at most {:.3g} at this frame rate and step, got {}",
-                      most * rate, *options.frames));
+      throw UsageError(fmt::format("--frames: must be at most {:.3g} at this frame rate{}, got {}",
+                                   most * rate, takes_steps(scene) ? " and step" : "",
+                                   *options.frames));
     }
     end_frame_ = first_frame_ + *options.frames;
   } else {
     const double time = options.time.value_or(scene.duration);
     if (time > most) {
-      throw UsageError(fmt::format(
-          "--time: must be at most {:.3g} at this frame rate and step, got {:.3g}", most, time));
+      throw UsageError(
+          fmt::format("--time: must be at most {:.3g} at this frame rate{}, got {:.3g}", most,
+                      takes_steps(scene) ? " and step" : "", time));
     }
     end_time_ = start_time_ + time;
   }

@@ -30,4 +30,18 @@ void print_error(const std::string& text) {
   (void)std::fflush(stderr);
 }
 
+void print_error_line(const std::string& message) {
+  constexpr std::size_t kLongest = 300;
+  constexpr std::size_t kEnd = 120;  // the end says what is wrong, the beginning where
+  if (message.size() <= kLongest) return print_error("carom: " + message + '\n');
+  const auto inside = [&](std::size_t i) {  // a character of several bytes
+    return (static_cast<unsigned char>(message[i]) & 0xC0U) == 0x80U;
+  };
+  std::size_t head = kLongest - kEnd;
+  while (head > 0 && inside(head)) --head;
+  std::size_t tail = message.size() - kEnd;
+  while (tail < message.size() && inside(tail)) ++tail;
+  print_error("carom: " + message.substr(0, head) + " ... " + message.substr(tail) + '\n');
+}
+
 }  // namespace carom

@@ -33,6 +33,32 @@ int named_descriptor(const std::string& file) {
   return -1;
 }
 
+/// Where a chain of symbolic links ends, whether or not there is a file.
+std::filesystem::path end_of_links(const std::string& name) {
+  namespace fs = std::filesystem;
+  constexpr int kLongestChain = 40;  // as Linux follows it
+  std::error_code error;
+  fs::path path = fs::absolute(name, error);
+  for (int i = 0; i < kLongestChain && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  return path;
+}
+
+/// A name for the temporary file beside `target`: its own with six letters, cut where that would
+/// be longer than a file's name may be.
+std::string temporary_name(const std::filesystem::path& target) {
+  constexpr std::string_view kEnding = ".XXXXXX";
+  constexpr std::size_t kLongest = 255;  // bytes; NAME_MAX
+  std::string name = target.filename().string();
+  if (name.size() + kEnding.size() > kLongest) {
+    std::size_t cut = kLongest - kEnding.size();
+    while (cut > 0 && (static_cast<unsigned char>(name[cut]) & 0xC0U) == 0x80U) --cut;
+    name.resize(cut);
+  }
+  return target.parent_path() / (name + std::string(kEnding));
+}
+
 mode_t mode_of_new_files() {
   const mode_t mask = umask(0);
   umask(mask);
@@ -46,17 +72,25 @@ bool is_standard_output(const std::string& file) {
 }
 
 bool is_same_file(const std::string& one, const std::string& other) {
-  if (is_standard_output(one) && is_standard_output(other)) return true;
+  const int first_open = named_descriptor(one);
+  const int second_open = named_descriptor(other);
+  if (first_open >= 0 && first_open == second_open) return true;
   struct stat first {};
   struct stat second {};
-  if (stat(one.c_str(), &first) == 0 && stat(other.c_str(), &second) == 0) {
+  const bool first_there =
+      first_open >= 0 ? fstat(first_open, &first) == 0 : stat(one.c_str(), &first) == 0;
+  const bool second_there =
+      second_open >= 0 ? fstat(second_open, &second) == 0 : stat(other.c_str(), &second) == 0;
+  if (first_there && second_there) {
     // What is written through may well be shared, as /dev/null is.
     return S_ISREG(first.st_mode) && first.st_dev == second.st_dev && first.st_ino == second.st_ino;
   }
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  return fs::weakly_canonical(fs::absolute(one), ignored) ==
-         fs::weakly_canonical(fs::absolute(other), ignored);
+  if (first_there != second_there) return false;
+  const auto place = [](const std::string& name) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(end_of_links(name), ignored);
+  };
+  return place(one) == place(other);
 }
 
 OutputFile::OutputFile(const std::string& option, const std::string& name)
@@ -81,9 +115,9 @@ OutputFile::OutputFile(const std::string& option, const std::string& name)
   // A file that may not be written is not replaced either.
   if (exists && access(name.c_str(), W_OK) != 0) fail();
   std::error_code error;
-  target_ = exists ? std::filesystem::canonical(name, error).string() : name;
+  target_ = exists ? std::filesystem::canonical(name, error) : end_of_links(name);
   if (error) throw std::system_error(error, name_);
-  temporary_ = target_ + ".XXXXXX";
+  temporary_ = temporary_name(target_);
   descriptor_ = unfinished_files::create(temporary_);
   if (descriptor_ < 0) {
     temporary_.clear();

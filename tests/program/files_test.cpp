@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -145,6 +146,74 @@ TEST_F(Files, TheSummaryGoesToStandardErrorWhereAFileTakesStandardOutput) {
   const Outcome outcome = run({"--frames", "0", "--report", "-"});
   EXPECT_EQ(outcome.out.substr(outcome.out.size() - 2), "}\n");
   EXPECT_EQ(outcome.err.substr(0, outcome.err.find('\n')), "one ball flies");
+}
+
+TEST_F(Files, TwoNamesOfOneFileAreRefused) {
+  for (const char* link : {"touch a; ln -s a b", "touch a; ln a b", "ln -s a b", "ln -s $PWD/a b",
+                           "mkdir d; ln -s d e; ln -s e/a b; ln -s ../a d/a"}) {
+    const Outcome outcome = shell(std::string("rm -rf a b d e; ") + link +
+                                  "; carom run scene.json --quiet --time 0 --save a --report b");
+    EXPECT_EQ(outcome.status, 2) << link;
+    EXPECT_EQ(outcome.err, "carom: --report and --save both write to 'a': give them two files\n");
+  }
+  EXPECT_EQ(shell("carom run scene.json --time 0 --save - --report /dev/fd/1").status, 2);
+  EXPECT_EQ(shell("carom run scene.json --time 0 --save a --report - >a").status, 2);
+  EXPECT_EQ(shell("carom run scene.json --time 0 --save /dev/stderr --report /dev/stderr").status,
+            2);
+  EXPECT_EQ(shell("carom run scene.json --time 0 --quiet --save a --report /dev/null").status, 0);
+}
+
+TEST_F(Files, ALinkThatLeadsToNoFileStaysALink) {
+  EXPECT_EQ(shell("ln -s target link; carom run scene.json --time 0 --quiet --save link").status,
+            0);
+  EXPECT_TRUE(fs::is_symlink(folder_.path() / "link"));
+  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder_.path() / "target")));
+}
+
+TEST_F(Files, ANameMayHave255Bytes) {
+  std::string accented;
+  for (int i = 0; i < 127; ++i) accented += "\u00e4";
+  for (const std::string& name : {std::string(255, 'x'), accented + "x"}) {
+    ASSERT_EQ(name.size(), 255U);
+    const Outcome outcome = run({"--time", "0", "--quiet", "--save", name});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(text(name), "");
+  }
+  const Outcome longer = run({"--time", "0", "--quiet", "--save", std::string(256, 'x')});
+  EXPECT_EQ(longer.status, 1);
+  EXPECT_NE(longer.err.find("File name too long"), std::string::npos) << longer.err;
+}
+
+TEST_F(Files, ALongErrorIsOneShortLine) {
+  const std::string key(100000, 'k');
+  support::write_file(folder_ / "long.json",
+                      R"({"box": {"width": 20, "height": 10}, ")" + key + "\": 1}");
+  for (const char* command : {"run", "check"}) {
+    const Outcome outcome = shell(std::string("carom ") + command + " long.json");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_LT(outcome.err.size(), 330U);
+    EXPECT_TRUE(outcome.err.starts_with("carom: long.json: /kkk")) << outcome.err;
+    EXPECT_TRUE(
+        outcome.err.ends_with("is not a key of a scene, the nearest known one is \"workers\"\n"))
+        << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+  }
+}
+
+TEST_F(Files, LackOfMemoryIsSaid) {
+  support::write_file(folder_ / "large.json", R"({"box": {"width": 1e5, "height": 1e5},
+    "fill": [{"count": 5000000, "radius": 0.5}]})");
+  const Outcome outcome = shell("ulimit -v 300000; carom run large.json --time 0 --workers 1");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err,
+            "carom: not enough memory: make the scene smaller, or allow the program more\n");
+}
+
+TEST_F(Files, TheFolderOfScenesCanBeCheckedWhole) {
+  const Outcome outcome = shell("carom check " CAROM_SOURCE_DIR "/scenes/*.json");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("scene.schema.json: the schema of scenes, not a scene\n"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <ostream>
 #include <string>
 #include <vector>
@@ -329,6 +331,29 @@ TEST(BadScene, MadeInTheProgramIsToldByTheSamePointers) {
   EXPECT_EQ(problems[0].place, "/balls/3/radius");
   EXPECT_EQ(problems[1].place, "/solver/step");
   EXPECT_EQ(problems[2].place, "/workers");
+}
+
+TEST(SceneBad, AHeapOfBallsIsRefusedWithAShortList) {
+  std::string balls;
+  for (int i = 0; i < 3000; ++i) {
+    balls += std::string(i == 0 ? "" : ", ") + R"({"position": [5, 5], "radius": 0.5})";
+  }
+  try {
+    parse_scene(
+        R"({"box": {"width": 20, "height": 10}, "effects": {"collisions": {}}, "balls": [)" +
+            balls + "]}",
+        "a");
+    ADD_FAILURE();
+  } catch (const SceneError& error) {
+    EXPECT_LE(error.problems().size(), 21U);
+    EXPECT_EQ(error.problems().back().place.rfind("/balls/", 0), 0U);
+    EXPECT_NE(std::count_if(error.problems().begin(), error.problems().end(),
+                            [](const Problem& problem) {
+                              return problem.place == "/balls" &&
+                                     problem.message.ends_with("more balls that overlap others");
+                            }),
+              0);
+  }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -74,32 +75,57 @@ bool judge_radius(double radius, const std::string& place, const Scene& scene, V
   return false;
 }
 
+/// The balls that a ball may overlap: walls are made of fixed balls, which may overlap each other.
+class Overlaps {
+ public:
+  explicit Overlaps(const Scene& scene)
+      : scene_(scene), grids_{DiskGrid(scene.box), DiskGrid(scene.box)} {}
+
+  /// At most so many of the balls before that overlap this one.
+  [[nodiscard]] std::vector<std::size_t> of(std::size_t i, std::size_t at_most) const {
+    const Ball& ball = scene_.balls[i];
+    std::vector<std::size_t> balls;
+    for (const bool fixed : {false, true}) {
+      if (fixed && ball.fixed) continue;
+      for (const std::size_t k :
+           grids_[fixed].overlapping(ball.position, ball.radius, at_most - balls.size())) {
+        balls.push_back(numbers_[fixed][k]);
+      }
+      if (balls.size() >= at_most) break;
+    }
+    return balls;
+  }
+
+  void insert(std::size_t i) {
+    const Ball& ball = scene_.balls[i];
+    grids_[ball.fixed].insert(ball.position, ball.radius);
+    numbers_[ball.fixed].push_back(i);
+  }
+
+ private:
+  const Scene& scene_;
+  std::array<DiskGrid, 2> grids_;  // of the moving balls, of the fixed ones
+  std::array<std::vector<std::size_t>, 2> numbers_;
+};
+
 void judge_overlaps(const Scene& scene, const std::vector<std::size_t>& good, Verdict& verdict) {
   // Large balls first, so that each looks at few of its own size and larger.
   std::vector<std::size_t> order = good;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return scene.balls[a].radius > scene.balls[b].radius;
   });
-  // Fixed balls may overlap each other: only what moves is looked at by them.
-  DiskGrid moving(scene.box);
-  DiskGrid fixed(scene.box);
-  std::vector<std::size_t> moving_balls;
-  std::vector<std::size_t> fixed_balls;
+  Overlaps overlaps(scene);
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  std::size_t others = 0;
   for (const std::size_t i : order) {
-    const Ball& ball = scene.balls[i];
-    const auto look = [&](DiskGrid& grid, const std::vector<std::size_t>& in_grid) {
-      const std::size_t rest = kMostOverlapsTold - pairs.size();
-      if (rest == 0) return;
-      for (const std::size_t k : grid.overlapping(ball.position, ball.radius, rest)) {
-        pairs.emplace_back(std::max(i, in_grid[k]), std::min(i, in_grid[k]));
-      }
-    };
-    look(moving, moving_balls);
-    if (!ball.fixed) look(fixed, fixed_balls);
-    if (pairs.size() == kMostOverlapsTold) break;
-    (ball.fixed ? fixed : moving).insert(ball.position, ball.radius);
-    (ball.fixed ? fixed_balls : moving_balls).push_back(i);
+    const std::size_t left = kMostOverlapsTold - pairs.size();
+    const auto found = overlaps.of(i, std::max<std::size_t>(left, 1));
+    if (left == 0 && !found.empty()) {
+      ++others;
+      continue;  // one in a heap is enough to know the rest of it
+    }
+    for (const std::size_t k : found) pairs.emplace_back(std::max(i, k), std::min(i, k));
+    overlaps.insert(i);
   }
   std::sort(pairs.begin(), pairs.end());
   for (const auto& [second, first] : pairs) {
@@ -110,8 +136,8 @@ void judge_overlaps(const Scene& scene, const std::vector<std::size_t>& good, Ve
         fmt::format("overlaps /balls/{} by {:.3g}, move them apart or make them smaller", first,
                     overlap_depth(scene.box, a.position, a.radius, b.position, b.radius)));
   }
-  if (pairs.size() >= kMostOverlapsTold) {
-    verdict.add("/balls", fmt::format("has more overlaps than the {} listed", kMostOverlapsTold));
+  if (others > 0) {
+    verdict.add("/balls", fmt::format("has {} more balls that overlap others", others));
   }
 }
 

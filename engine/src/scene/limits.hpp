@@ -20,6 +20,6 @@ inline constexpr double kMostSteps = 0x1p53;
 /// Impacts that are followed one by one: as often may a ball cross the box.
 inline constexpr double kMostCrossings = 1e10;
 /// Overlapping pairs that are told one by one.
-inline constexpr std::size_t kMostOverlapsTold = 1000;
+inline constexpr std::size_t kMostOverlapsTold = 20;
 
 }  // namespace carom::scene
