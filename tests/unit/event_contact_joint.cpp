@@ -268,11 +268,12 @@ TEST(EventJointImpact, OfWedgedBallsEndsTooThoughTheyWouldBounceForEver) {
   EXPECT_FALSE(approaches(wedged));
   EXPECT_LE(energy(wedged), 1e-30);
 
-  Group between_walls;  // as tall as its box: it glides on
+  Group between_walls;  // as tall as its box: it glides on with all its energy
   between_walls.bodies = {{{0.3, 0.4}, 1}};
   between_walls.contacts = {{0, kWall, {0, 1}, 1}, {0, kWall, {0, -1}, 1}};
   between_walls.resolve();
-  EXPECT_EQ(between_walls.bodies[0].velocity, (V{0.3, 0}));
+  EXPECT_NEAR(between_walls.bodies[0].velocity.x, 0.5, 1e-15);
+  EXPECT_EQ(between_walls.bodies[0].velocity.y, 0);
 
   RandomNumbers random(5);
   for (int n = 0; n < 3; ++n) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,7 +20,11 @@ struct JointReport {
   int walls = 0;     ///< the same with walls
   int settling = 0;  ///< rounds for approaches that are rounding only
   int locked = 0;    ///< bodies that had to be given a common velocity: the last resort
-  double lost = 0;   ///< energy that restitution took; what only mends rounding is not counted
+  int jammed =
+      0;  ///< contacts without a gap, with speed across it that no sequence of impacts ends
+  /// Energy of jammed groups that nothing of theirs can move with: it counts as lost.
+  double held_energy = 0;
+  double lost = 0;  ///< energy that restitution took; what only mends rounding is not counted
 };
 
 /// The normal impulse of a contact in one reflection.
@@ -51,8 +57,15 @@ inline constexpr double kMostWork = 1 << 16;
 /// contacts) / (1 - e) rounds, or kMostWork, the rest is one inelastic impact of all contacts.
 /// Approaches within 64 u of the speeds the two had in this instant are rounding: they are nudged
 /// apart by the least impulses, until no contact approaches in the bits pair_time() looks at.
-/// Wedged balls cannot do that: what still approaches is locked to one velocity with its
-/// momentum, and reported.
+/// Wedged balls cannot do that: what still approaches is locked to one velocity along that axis
+/// with its momentum.
+/// Jammed: in a gap of exactly zero between walls or fixed balls, as that of a ball as tall as its
+/// box, a speed across has no limit as a sequence of impacts, nor has a sequence that takes too
+/// many rounds one that can be had. Where nothing is lost in an impact, such a group gets the
+/// nearest velocities by which nothing approaches, all of them longer by one factor so that its
+/// energy stays; seen from its centre of mass, if it touches nothing fixed. What vibrated in the
+/// gap so drives the group apart along the ways that are open. If there is none, the energy is
+/// held back, and counts as lost.
 /// Holds: numbering, sides, mirrors and swapped axes leave the bits as they are: every contact
 /// sees the same old velocities, every sum is rounded once. Momentum of free groups to rounding.
 /// Source: Smith, Kaufman, Vouga, Tamstorf, Grinspun, Reflections on simultaneous impact, ACM TOG
@@ -75,9 +88,16 @@ class JointImpact {
   }
 
   JointReport resolve() {
+    const bool elastic = lossless();
+    const int most = most_rounds();
+    const int soon = std::min(most, 16 + 4 * static_cast<int>(graph_.size()));
+    const std::vector<Vec<S>> start = elastic ? velocity_ : std::vector<Vec<S>>{};
+    bool stopped = false;
     while (const auto approaching = choose(true)) {
-      if (report_.rounds == most_rounds()) {
+      if (report_.rounds == most || (elastic && report_.rounds == soon && cannot_open())) {
+        if (elastic) report_.jammed = static_cast<int>(count(*approaching));
         stop_everything();
+        stopped = true;
         break;
       }
       ++report_.rounds;
@@ -85,6 +105,12 @@ class JointImpact {
       note_peaks();
     }
     settle();
+    for (int again = 0; again < 4 && elastic && (stopped || report_.locked > 0); ++again) {
+      keep_energy(start, again == 0);
+      if (!choose(false)) break;
+      settle();
+    }
+    if (elastic) report_.lost = report_.held_energy;
     for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].velocity = velocity_[k];
     return report_;
   }
@@ -100,6 +126,102 @@ class JointImpact {
 
   Vec<S> velocity(int body) const {
     return body == kWall ? Vec<S>{S(0), S(0)} : velocity_[index(body)];
+  }
+
+  bool lossless() const {
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      if (graph_.mobility(k) > 0 && graph_.contact(k).restitution != 1) return false;
+    }
+    return true;
+  }
+
+  static std::size_t count(const Chosen& chosen) {
+    return static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), 1));
+  }
+
+  /// Whether some contact has no motion of the group that opens it while the others stay closed or
+  /// open: then no impulses make all part at once.
+  bool cannot_open() const {
+    Chosen all(graph_.size(), 0);
+    for (std::size_t k = 0; k < graph_.size(); ++k) all[k] = graph_.mobility(k) > 0 ? 1 : 0;
+    const std::vector<S> wanted(graph_.size(), S(-1));
+    const std::vector<S> got = graph_.response(nonnegative_impulses(graph_, wanted, all));
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      if (all[k] && !(got[k] > 0.5)) return true;
+    }
+    return false;
+  }
+
+  /// The group of each body: those that touch, over bodies that can move.
+  std::vector<std::size_t> groups() const {
+    std::vector<std::size_t> one(bodies_.size());
+    for (std::size_t k = 0; k < one.size(); ++k) one[k] = k;
+    const auto find = [&one](std::size_t k) {
+      while (one[k] != k) k = one[k] = one[one[k]];
+      return k;
+    };
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      const Contact<S>& c = graph_.contact(k);
+      if (graph_.inverse_mass(c.a) != 0 && graph_.inverse_mass(c.b) != 0) {
+        one[find(index(c.a))] = find(index(c.b));
+      }
+    }
+    for (std::size_t k = 0; k < one.size(); ++k) one[k] = find(k);
+    return one;
+  }
+
+  /// Gives every group the energy it had at `start` back, by one factor for the velocities of all
+  /// its bodies; seen from its centre of mass, if it touches nothing fixed.
+  void keep_energy(const std::vector<Vec<S>>& start, bool first) {
+    const std::vector<std::size_t> group = groups();
+    std::vector<char> held(bodies_.size(), 0);
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      const Contact<S>& c = graph_.contact(k);
+      if (graph_.inverse_mass(c.a) != 0 && graph_.inverse_mass(c.b) == 0)
+        held[group[index(c.a)]] = 1;
+      if (graph_.inverse_mass(c.a) == 0 && graph_.inverse_mass(c.b) != 0)
+        held[group[index(c.b)]] = 1;
+    }
+    for (std::size_t root_body = 0; root_body < group.size(); ++root_body) {
+      ExactSum<S> mass;
+      ExactSum<S> x;
+      ExactSum<S> y;
+      std::vector<std::size_t> members;
+      for (std::size_t k = 0; k < group.size(); ++k) {
+        if (group[k] != root_body || bodies_[k].inverse_mass == 0) continue;
+        members.push_back(k);
+        mass.add(1 / bodies_[k].inverse_mass);
+        x.add(velocity_[k].x / bodies_[k].inverse_mass);
+        y.add(velocity_[k].y / bodies_[k].inverse_mass);
+      }
+      if (members.empty()) continue;
+      const Vec<S> centre = held[root_body] ? Vec<S>{S(0), S(0)}
+                                            : Vec<S>{S(x.rounded() / mass.rounded()),
+                                                     S(y.rounded() / mass.rounded())};
+      const S had = relative_energy(members, start, centre);
+      const S has = relative_energy(members, velocity_, centre);
+      if (!(had > 0) || had == has) continue;
+      const S noise = std::numeric_limits<S>::epsilon() * had;
+      if (!(has > noise)) {
+        if (first && had - has > noise)
+          report_.held_energy += static_cast<double>(S((had - has) / 2));
+        continue;
+      }
+      const S factor = root(S(had / has));
+      for (const std::size_t k : members) velocity_[k] = centre + factor * (velocity_[k] - centre);
+    }
+    note_peaks();
+  }
+
+  S relative_energy(const std::vector<std::size_t>& members, const std::vector<Vec<S>>& velocity,
+                    const Vec<S>& centre) const {
+    ExactSum<S> sum;
+    for (const std::size_t k : members) {
+      const Vec<S> v = velocity[k] - centre;
+      sum.add(v.x * v.x / bodies_[k].inverse_mass);
+      sum.add(v.y * v.y / bodies_[k].inverse_mass);
+    }
+    return sum.rounded();
   }
 
   int most_rounds() const {
@@ -293,29 +415,30 @@ class JointImpact {
     return true;
   }
 
-  /// Balls that approach are given one velocity and stay one body, until nothing approaches.
+  /// Balls that approach are given one velocity, along the axis where their contact lies on one,
+  /// and stay one body so, until nothing approaches.
   void lock() {
     const double had = energy();
-    std::vector<std::size_t> one(bodies_.size());
-    for (std::size_t k = 0; k < one.size(); ++k) one[k] = k;
-    const auto find = [&](std::size_t k) {
-      while (one[k] != k) k = one[k];
-      return k;
-    };
-    std::vector<char> x_held(bodies_.size(), 0);
-    std::vector<char> y_held(bodies_.size(), 0);
+    std::array<std::vector<std::size_t>, 2> one;
+    for (auto& axis : one) {
+      axis.resize(bodies_.size() + 1);  // the last: what never moves
+      for (std::size_t k = 0; k < axis.size(); ++k) axis[k] = k;
+    }
+    std::vector<char> locked(bodies_.size(), 0);
     while (const auto approaching = choose(false)) {
       for (std::size_t k = 0; k < graph_.size(); ++k) {
         if (!(*approaching)[k]) continue;
         const Contact<S>& c = graph_.contact(k);
-        if (c.b == kWall) {
-          (c.r.x != 0 ? x_held : y_held)[index(c.a)] = 1;
-        } else {
-          one[find(index(c.a))] = find(index(c.b));
+        for (const int body : {c.a, c.b}) {
+          if (graph_.inverse_mass(body) != 0) locked[index(body)] = 1;
         }
+        if (c.r.x != 0) join(one[0], c);
+        if (c.r.y != 0) join(one[1], c);
       }
-      give_common_velocities(one, find, x_held, y_held);
+      give_common_velocities(one[0], &Vec<S>::x);
+      give_common_velocities(one[1], &Vec<S>::y);
     }
+    report_.locked = static_cast<int>(count(locked));
     report_.lost += had - energy();
   }
 
@@ -332,36 +455,35 @@ class JointImpact {
     return sum.rounded();
   }
 
-  template <class Find>
-  void give_common_velocities(const std::vector<std::size_t>& one, const Find& find,
-                              const std::vector<char>& x_held, const std::vector<char>& y_held) {
-    report_.locked = 0;
-    for (std::size_t root_body = 0; root_body < one.size(); ++root_body) {
+  static std::size_t find(const std::vector<std::size_t>& one, std::size_t k) {
+    while (one[k] != k) k = one[k];
+    return k;
+  }
+
+  void join(std::vector<std::size_t>& one, const Contact<S>& c) const {
+    const auto place = [&](int body) {
+      return graph_.inverse_mass(body) == 0 ? bodies_.size() : index(body);
+    };
+    const std::size_t a = find(one, place(c.a));
+    const std::size_t b = find(one, place(c.b));
+    one[std::min(a, b)] = std::max(a, b);
+  }
+
+  void give_common_velocities(const std::vector<std::size_t>& one, S Vec<S>::*along) {
+    for (std::size_t root_body = 0; root_body <= bodies_.size(); ++root_body) {
       ExactSum<S> mass;
-      ExactSum<S> x;
-      ExactSum<S> y;
-      bool stop_x = false;
-      bool stop_y = false;
-      int count = 0;
-      for (std::size_t k = 0; k < one.size(); ++k) {
-        if (find(k) != root_body) continue;
-        ++count;
-        const S& inverse = bodies_[k].inverse_mass;
-        stop_x = stop_x || x_held[k] || inverse == 0;
-        stop_y = stop_y || y_held[k] || inverse == 0;
-        if (inverse == 0) continue;
-        mass.add(1 / inverse);
-        x.add(velocity_[k].x / inverse);
-        y.add(velocity_[k].y / inverse);
+      ExactSum<S> momentum;
+      std::vector<std::size_t> members;
+      for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        if (bodies_[k].inverse_mass == 0 || find(one, k) != root_body) continue;
+        members.push_back(k);
+        mass.add(1 / bodies_[k].inverse_mass);
+        momentum.add(velocity_[k].*along / bodies_[k].inverse_mass);
       }
-      if (count < 2 && !stop_x && !stop_y) continue;
-      report_.locked += count;
-      const S total = mass.rounded();
-      for (std::size_t k = 0; k < one.size(); ++k) {
-        if (find(k) != root_body || bodies_[k].inverse_mass == 0) continue;
-        velocity_[k] = {stop_x ? S(0) : S(x.rounded() / total),
-                        stop_y ? S(0) : S(y.rounded() / total)};
-      }
+      const bool stops = root_body == bodies_.size();
+      if (members.empty() || (members.size() == 1 && !stops)) continue;
+      const S common = stops ? S(0) : S(momentum.rounded() / mass.rounded());
+      for (const std::size_t k : members) velocity_[k].*along = common;
     }
   }
 
