@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -127,13 +128,13 @@ int run(const Options& options) {
   CheckpointFile checkpoints(options.checkpoint, options.checkpoint_every,
                              identity(scene, options));
   std::optional<Checkpoint> earlier = checkpoints.read();
-  std::optional<Session> holder(std::in_place, earlier ? earlier->scene : scene);
+  auto holder = std::make_unique<Session>(earlier ? earlier->scene : scene);
   if (earlier) holder->simulation().go_on_from(earlier->numbering);
   if (earlier && !outputs->go_on(*holder, *earlier)) {
     print_error("carom: --checkpoint: its unfinished files are gone: the run begins again\n");
     earlier.reset();
-    holder.reset();
-    holder.emplace(scene);
+    holder.reset();  // its threads end before those of the next begin
+    holder = std::make_unique<Session>(scene);
   }
   Session& session = *holder;
   std::optional<Schedule::Beginning> beginning;

@@ -27,6 +27,7 @@ std::string hash(const Scene& scene, const Told& told) {
                   scene.balls,
                   {},
                   told.rests,
+                  1,
                   {told.parts, 0},
                   ""};
   if (told.friction) start.effects.friction = Friction{};
