@@ -129,7 +129,7 @@ std::vector<OptionRow> make_options() {
       {accuracy, "--seeds", "K",
        "starts of a scene that comes to rest, or that is averaged; default: 8",
        whole_number(&Options::seeds, 1, 1000)},
-      {accuracy, "--observable", "NAME", "an average to compare; may be repeated",
+      {accuracy, "--observable", "NAME", "an average to compare, once or repeatedly:",
        choices(&Options::observables,
                {"Z", "pressure", "temperature", "collision_rate", "mean_free_path"})},
   };

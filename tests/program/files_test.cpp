@@ -60,7 +60,7 @@ class Files : public testing::Test {
 TEST_F(Files, AFileInNoFolderIsFoundBeforeTheRunAndNothingIsLeft) {
   support::write_file(folder_ / "dump", "old");
   const Outcome outcome = run({"--time", "1e9", "--dump", "dump", "--report", "no/where"});
-  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.status, 2);
   EXPECT_EQ(outcome.err, "carom: --report: no/where: No such file or directory\n");
   EXPECT_EQ(text("dump"), "old");
   EXPECT_EQ(support::names_in(folder_.path()), (Names{"dump", "scene.json"}));

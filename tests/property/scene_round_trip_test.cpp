@@ -53,6 +53,7 @@ RC_GTEST_PROP(SceneRoundTrip, KeepsEveryBitOfEveryNumber, ()) {
     scene.balls.push_back(ball);
   }
   scene.seed = *rc::gen::arbitrary<std::uint64_t>();
+  scene.solver.method = Method::overlap;  // event refuses speeds that cross the box without end
   scene.solver.step = some_length() / 1000;
   scene.duration = some_length();
   scene.frame_rate = 20 * some_length();
