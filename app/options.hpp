@@ -58,7 +58,7 @@ struct Options {
   std::string record;
   std::string log;
   std::string glyphs = "ascii";
-  double fps = 30;
+  std::uint64_t fps = 30;
   bool no_mouse = false;
 
   // accuracy, which takes the time of run too

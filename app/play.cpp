@@ -2,19 +2,21 @@
 
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "commands.hpp"
 #include "load_scene.hpp"
 #include "standard_streams.hpp"
-#include "view/curses_screen.hpp"
 #include "view/player.hpp"
 #include "view/signals.hpp"
 #include "view/terminal_info.hpp"
+#include "view/terminal_screen.hpp"
 
 namespace carom {
 namespace {
 
 constexpr int kEndedBySignal = 128;  // as a shell tells it
+constexpr const char* kInstead = "; 'carom run SCENE' needs no terminal";
 
 /// As https://no-color.org has it: set and not empty.
 bool colors_wanted(const Options& options) {
@@ -22,14 +24,19 @@ bool colors_wanted(const Options& options) {
   return !options.no_color && (refused == nullptr || *refused == '\0');
 }
 
+Settings settings_of(const Options& options) {
+  Settings settings;
+  settings.glyphs = glyphs_named(options.glyphs).value_or(settings.glyphs);
+  settings.frames_per_second = static_cast<int>(options.fps);
+  return settings;
+}
+
 void require_terminal() {
-  const std::string instead = "; 'carom run SCENE' needs no terminal";
-  if (isatty(STDIN_FILENO) == 0)
-    throw UsageError("play needs a terminal, and standard input is none" + instead);
-  if (isatty(STDOUT_FILENO) == 0)
-    throw UsageError("play needs a terminal, and standard output is none" + instead);
-  const std::string problem = terminal_problem();
-  if (!problem.empty()) throw UsageError("play needs a terminal, and " + problem + instead);
+  for (const auto& [descriptor, name] :
+       {std::pair(STDIN_FILENO, "standard input"), {STDOUT_FILENO, "standard output"}}) {
+    if (isatty(descriptor) == 0)
+      throw UsageError(std::string("play needs a terminal, and ") + name + " is none" + kInstead);
+  }
 }
 
 }  // namespace
@@ -41,13 +48,19 @@ int play(const Options& options) {
   Scene scene = builtin ? load_builtin_scene(options) : load_scene(options.scenes.front(), options);
   scene.played = true;
   require_terminal();
+  const TerminalInfo info = load_terminal_info();
+  if (!info.problem.empty())
+    throw UsageError("play needs a terminal, and " + info.problem + kInstead);
+  if (!info.remark.empty()) print_error("carom: " + info.remark + '\n');
 
   Signals signals;  // before any worker starts
   std::string summary;
   int signal = 0;
   {
-    CursesScreen screen(signals, colors_wanted(options));
-    Player player(scene, screen);
+    TerminalScreen::Options how;
+    how.colors = colors_wanted(options);
+    TerminalScreen screen(signals, info, how);
+    Player player(scene, screen, settings_of(options));
     signal = player.play();
     summary = player.summary();
   }

@@ -6,24 +6,31 @@
 
 namespace carom {
 
-/// What a cell shows: screens with colours tell these apart.
+/// What a cell shows: a palette gives each of these a look.
 enum class Ink : unsigned char {
   none,
   wall,      ///< a solid side of the box
   periodic,  ///< a side that a ball leaves through to come in at the other
   open,      ///< a side that is not there: the scene has no walls
   ball,
-  fixed,   ///< a ball that never moves
-  status,  ///< a line about the run
-  notice,  ///< what a key just did
-  ghost    ///< where a ball would be, were it computed exactly
+  fixed,     ///< a ball that never moves
+  status,    ///< plain text about the run
+  notice,    ///< what a key just did, and the frames of panels
+  ghost,     ///< where a ball would be, were it computed exactly; trails
+  chosen,    ///< a selected line or ball
+  computes,  ///< a worker's time spent computing
+  waits      ///< a worker's time spent at a barrier
 };
 
 /// One character cell of a picture.
 struct Cell {
-  char character = ' ';  ///< printable ASCII
+  char32_t character = ' ';
   Ink ink = Ink::none;
-  float heat = 0;  ///< of a ball: 0 still .. 1 fast
+  float heat = 0;        ///< of a ball: 0 still .. 1 fast
+  Ink back = Ink::none;  ///< of a half-block: the ball of its other half
+  float back_heat = 0;
+
+  bool operator==(const Cell&) const = default;
 };
 
 /// A rectangle of cells, row 0 at the top.
@@ -32,6 +39,7 @@ struct Canvas {
   int rows = 0;
   std::vector<Cell> cells;
 
+  Canvas() = default;
   Canvas(int width, int height)
       : columns(width > 0 ? width : 0),
         rows(height > 0 ? height : 0),
@@ -46,6 +54,8 @@ struct Canvas {
   /// Writes text from a cell to the right; what does not fit, or is not printable ASCII, is left
   /// out or shown as '?'.
   void write(int column, int row, std::string_view text, Ink ink);
+  /// Puts one character, where the canvas has that cell.
+  void put(int column, int row, char32_t character, Ink ink, float heat = 0);
 
  private:
   [[nodiscard]] std::size_t index(int column, int row) const {

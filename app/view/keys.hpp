@@ -3,40 +3,45 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "carom/effects.hpp"
-#include "view/canvas.hpp"
 
 namespace carom {
 
 /// A key and what it does, as the help tells it.
 struct KeyHelp {
+  std::string_view group;
   std::string_view keys;
   std::string_view help;
 };
 
-inline constexpr std::array<KeyHelp, 20> kKeyHelp{{
-    {"space p", "pause, and go on"},
-    {".", "one frame while paused"},
-    {"a", "add a ball at a free place"},
-    {"A", "add ten balls"},
-    {"x", "remove the newest ball"},
-    {"r", "start again from the beginning"},
-    {"+", "twice the speed"},
-    {"-", "half the speed"},
-    {"[ ]", "halve, double the time step"},
-    {"w", "walls off and on, where the scene has them"},
-    {"c", "collisions off and on"},
-    {"g", "gravity off and on"},
-    {"d", "drag off and on"},
-    {"f", "friction off and on"},
-    {"t", "attraction off and on"},
-    {"m", "the other method, overlap or event"},
-    {"e", "what this run costs, and how wrong it is"},
-    {"E", "beside it an exact run: its balls as '+'"},
-    {"?", "this list, its next page, and away"},
-    {"q", "quit"},
-}};
+inline constexpr std::array kKeyHelp = std::to_array<KeyHelp>({
+    {"Time", "space p", "pause, and go on"},
+    {"Time", ".", "one frame while paused"},
+    {"Time", "+ -", "twice, half the speed"},
+    {"Time", "r", "restart"},
+    {"Balls", "a", "add a ball at a free place"},
+    {"Balls", "A", "add ten balls"},
+    {"Balls", "x", "remove the newest ball"},
+    {"Effects", "w", "walls off and on"},
+    {"Effects", "c", "collisions off and on"},
+    {"Effects", "g", "gravity off and on"},
+    {"Effects", "d", "drag off and on"},
+    {"Effects", "f", "friction off and on"},
+    {"Effects", "t", "attraction off and on"},
+    {"View", "b", "next kind of glyphs"},
+    {"View", "< >", "zoom out, zoom in"},
+    {"View", "arrows", "move the view"},
+    {"View", "0", "the whole box"},
+    {"Computing", "[ ]", "halve, double the time step"},
+    {"Computing", "m", "the other method"},
+    {"Computing", "e", "cost and accuracy"},
+    {"Computing", "E", "exact run beside it: '+'"},
+    {"Program", "?", "help, its next page"},
+    {"Program", "Esc", "close the help"},
+    {"Program", "q", "quit"},
+});
 
 /// Whether the help has a line for the key of every effect.
 constexpr bool tells_every_effect() {
@@ -56,14 +61,17 @@ static_assert(tells_every_effect());
 /// The keys of the effects that are named, in the order of the table.
 std::string effect_keys(const Effects& effects);
 
+/// A key of the line of hints.
+struct KeyHint {
+  char key;  ///< what a click on it presses
+  std::string text;
+  int column = 0;
+};
+
 /// The keys that do something now, each with a word, as many as fit into `width` characters; the
 /// way to the help and out stays longest.  `effects` are the keys of the effects there are.
-std::string key_hints(int width, bool paused, std::string_view effects);
-
-/// The pages that the help takes on a canvas of this size.
-int help_pages(const Canvas& canvas);
-
-/// Lays page `page` (from 0) of the help over the canvas, framed where there is room.
-void paint_help(Canvas& canvas, int page);
+std::vector<KeyHint> key_hints(int width, bool paused, std::string_view effects);
+/// The hints as they stand in their line.
+std::string hint_line(const std::vector<KeyHint>& hints);
 
 }  // namespace carom

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "view/ball_images.hpp"
+#include "view/border.hpp"
 #include "view/camera.hpp"
 #include "view/disk.hpp"
-#include "view/sides.hpp"
+#include "view/pixels.hpp"
 
 namespace carom {
 namespace {
@@ -22,75 +24,32 @@ struct Claim {
   char character = 0;  // decided already; 0: by coverage
 };
 
-/// The root mean square speed of the balls that can move.
-double typical_speed(const std::vector<FrameBall>& balls) {
-  double fastest = 0;
-  for (const FrameBall& ball : balls) fastest = std::max(fastest, ball.speed);
-  if (!(fastest > 0) || !std::isfinite(fastest)) return 0;
-  double sum = 0;
-  double count = 0;
-  for (const FrameBall& ball : balls) {
-    if (ball.fixed) continue;
-    sum += (ball.speed / fastest) * (ball.speed / fastest);
-    ++count;
-  }
-  return count > 0 ? fastest * std::sqrt(sum / count) : 0;
-}
-
 class Painter {
  public:
-  Painter(const Frame& frame, Canvas& canvas)
+  Painter(const Frame& frame, Canvas& canvas, const Camera& camera)
       : frame_(frame),
         canvas_(canvas),
-        camera_(frame.box, canvas.columns, canvas.rows),
-        clip_{0, 0, canvas.columns, canvas.rows},
-        claims_(canvas.cells.size()) {
-    // Only where there is no side can a ball be seen beyond it.
-    if (frame.walls || frame.box.periodic[0]) {
-      clip_.left = std::max(0, camera_.left());
-      clip_.right = std::min(canvas.columns, camera_.left() + camera_.columns());
-    }
-    if (frame.walls || frame.box.periodic[1]) {
-      clip_.top = std::max(0, camera_.top());
-      clip_.bottom = std::min(canvas.rows, camera_.top() + camera_.rows());
-    }
-  }
+        camera_(camera),
+        clip_(visible_cells(frame, camera, canvas)),
+        claims_(canvas.cells.size()) {}
 
   void paint() {
-    paint_sides(frame_, camera_, canvas_);
-    for (const FrameBall& ball : frame_.balls) place(ball);
+    for (const FrameBall& ball : frame_.balls) {
+      each_image(frame_, camera_, ball, [&](const Ellipse& ellipse) { draw(ball, ellipse); });
+    }
     const double typical = typical_speed(frame_.balls);
     for (std::size_t cell = 0; cell < claims_.size(); ++cell) {
       const Claim& claim = claims_[cell];
       if (claim.ball == nullptr) continue;
       const char character = claim.character != 0 ? claim.character : character_for(claim.coverage);
       if (character == ' ') continue;
-      const double heat = typical > 0 ? std::min(1.0, claim.ball->speed / (2 * typical)) : 0.0;
-      canvas_.cells[cell] = {character, claim.ball->fixed ? Ink::fixed : Ink::ball,
-                             static_cast<float>(heat)};
+      canvas_.cells[cell] = {static_cast<unsigned char>(character),
+                             claim.ball->fixed ? Ink::fixed : Ink::ball,
+                             heat_of(*claim.ball, typical), Ink::none, 0};
     }
   }
 
  private:
-  /// The ball and, on a periodic axis, its images next to the box.
-  void place(const FrameBall& ball) {
-    const Vec2 lower = frame_.box.lower();
-    const Vec2 size = frame_.box.size();
-    Vec2 home = ball.position;
-    for (int axis = 0; axis < 2; ++axis) {
-      if (frame_.box.periodic[static_cast<std::size_t>(axis)])
-        home[axis] -= size[axis] * std::floor((home[axis] - lower[axis]) / size[axis]);
-    }
-    const int beside = frame_.box.periodic[0] ? 1 : 0;
-    const int above = frame_.box.periodic[1] ? 1 : 0;
-    for (int i = -beside; i <= beside; ++i) {
-      for (int j = -above; j <= above; ++j) {
-        draw(ball, {camera_.x(home.x() + i * size.x()), camera_.y(home.y() + j * size.y()),
-                    ball.radius * camera_.across(), ball.radius * camera_.down()});
-      }
-    }
-  }
-
   void draw(const FrameBall& ball, const Ellipse& ellipse) {
     const CellRange range = cells_of(ellipse, clip_);
     if (range.right <= range.left || range.bottom <= range.top) return;
@@ -149,7 +108,7 @@ class Painter {
 
   const Frame& frame_;
   Canvas& canvas_;
-  Camera camera_;
+  const Camera& camera_;
   CellRange clip_;
   std::vector<Claim> claims_;
   std::vector<Coverage> coverage_;
@@ -157,9 +116,29 @@ class Painter {
 
 }  // namespace
 
-void paint(const Frame& frame, Canvas& canvas) {
+double typical_speed(const std::vector<FrameBall>& balls) {
+  double fastest = 0;
+  for (const FrameBall& ball : balls) fastest = std::max(fastest, ball.speed);
+  if (!(fastest > 0) || !std::isfinite(fastest)) return 0;
+  double sum = 0;
+  double count = 0;
+  for (const FrameBall& ball : balls) {
+    if (ball.fixed) continue;
+    sum += (ball.speed / fastest) * (ball.speed / fastest);
+    ++count;
+  }
+  return count > 0 ? fastest * std::sqrt(sum / count) : 0;
+}
+
+void paint(const Frame& frame, Canvas& canvas, const Drawing& drawing) {
   if (canvas.cells.empty()) return;
-  Painter(frame, canvas).paint();
+  const Camera camera(frame.box, canvas.columns, canvas.rows, drawing.viewpoint);
+  paint_border(frame, camera, drawing.glyphs, canvas);
+  if (drawing.glyphs == Glyphs::ascii) {
+    Painter(frame, canvas, camera).paint();
+  } else {
+    paint_pixels(frame, camera, drawing.glyphs, canvas);
+  }
 }
 
 }  // namespace carom

@@ -1,15 +1,18 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "carom/session.hpp"
-#include "view/ghost.hpp"
+#include "view/cost_panel.hpp"
+#include "view/frame_timer.hpp"
+#include "view/keys.hpp"
 #include "view/meter.hpp"
-#include "view/pacer.hpp"
-#include "view/price.hpp"
+#include "view/paint.hpp"
+#include "view/presses.hpp"
+#include "view/reference_run.hpp"
+#include "view/settings.hpp"
 #include "view/user_interface.hpp"
 
 namespace carom {
@@ -17,61 +20,79 @@ namespace carom {
 /// Plays a scene before a person: the loop of frames and keys.
 ///
 /// Each frame is due at an absolute time.  When it is, the simulation moves on, slice by slice, and
-/// is cut off when the time for the frame runs out: a simulation that cannot keep up slows down,
-/// and the keys do not wait for it.  How it is sliced does not change where the balls go.
+/// is cut off when the time for the frame runs out: a simulation that cannot keep up slows down.
+/// All keys that wait are read before any is acted on: quit and pause come first, repeats count
+/// together, and what takes long is spread over frames.  How it is sliced does not change where the
+/// balls go.
 ///
 /// Threads: the control thread only.
 /// Errors: what the simulation throws, a worker's exception too, leaves `play`.
 class Player {
  public:
-  static constexpr double kFramesPerSecond = 30;
-
-  Player(Scene scene, UserInterface& interface);
+  Player(Scene scene, UserInterface& interface, const Settings& settings = {});
 
   /// Plays until somebody quits.  Gives 0, or the number of the signal that ended it.
   int play();
 
   /// The run in one line.
   [[nodiscard]] std::string summary() const;
+  [[nodiscard]] const Session& session() const { return *session_; }
 
  private:
-  void handle(const Event& event);
-  void press(char key);
+  // The loop.
+  void read_events_until(Instant due);
+  void receive(const Event& event);
+  void act();
+  void compute();
+  void say(std::string notice);
+  [[nodiscard]] bool idle() const;
+  [[nodiscard]] double frame_seconds() const;  ///< simulated, at the present speed
+
+  // What keys do; `times` they were pressed.
+  void press(int key, int times);
+  bool press_in_help(int key, int times);
+  void pause_or_go_on();
   bool obey(const Command& command, const std::string& notice);  ///< says whether it was done
   void add_balls(int count);
   void change_step(double factor);
   void change_speed(double factor);
-  bool toggle_effect(char key);
+  bool toggle_effect(int key, int times);
   void change_method();
-  void toggle_ghost();
-  void begin_ghost();
-  void follow();
-  [[nodiscard]] Price price() const;
+  void toggle_reference();
+  void begin_reference();
+  void follow_reference();
+  void next_glyphs();
+  void zoom(double factor);
+  void move_view(double columns, double rows);
   void restart();
 
-  void handle_events_until(Instant due);
-  void compute();
+  // What is shown.
+  static int lines_below(int rows);  ///< of a screen: for the status and for keys
   void show();
-  void say(std::string notice);
-  [[nodiscard]] bool idle() const;
+  [[nodiscard]] Canvas picture(int columns, int rows);
+  void paint_lines_below(Canvas& screen, int first);
+  [[nodiscard]] Cost cost() const;
 
   Scene scene_;
   UserInterface& interface_;
+  Settings settings_;
   std::optional<Session> session_;
-  Pacer pacer_;
+  FrameTimer timer_;
   Meter meter_;
+  Presses presses_;
+  Drawing drawing_;
 
   double speed_ = 1;       // simulated seconds per real one
   double single_ = 0;      // simulated seconds still to go of single frames asked for
   double slice_cost_ = 0;  // real seconds per simulated second, as last seen
   std::chrono::duration<double> computing_{0};
-  std::array<bool, kEffectCount> switched_off_{};  // by the order of the table of effects
-  int help_page_ = -1;                             // no help
+  int help_page_ = -1;       // no help
+  bool help_waits_ = false;  // a key that opens it waits
   std::uint64_t added_ = 0;
 
-  bool priced_ = false;                          // the panel is open
-  std::optional<Ghost> ghost_;                   // the comparison
-  std::chrono::duration<double> ghost_cost_{0};  // of a frame, smoothed
+  bool cost_shown_ = false;
+  std::optional<ReferenceRun> reference_;
+  std::chrono::duration<double> reference_cost_{0};  // of a frame, smoothed
 
   bool piles_up_;  // overlap by default, for so many balls can pile up
 

@@ -6,20 +6,23 @@
 #include <cerrno>
 #include <system_error>
 
+#include "ending_signals.hpp"
+
 namespace carom {
 
 Signals::Signals() {
   sigset_t held;
   sigemptyset(&held);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH}) {
-    sigaddset(&held, signal);
-  }
-  // One that was ignored when the program was started (nohup) stays so.
-  for (const int signal : {SIGINT, SIGQUIT, SIGHUP, SIGTSTP}) {
+  for (const int signal : {SIGCONT, SIGWINCH}) sigaddset(&held, signal);
+  // One that was ignored when the program was started (nohup) stays so, and what somebody else
+  // handles (a profiler) is theirs.
+  const auto hold = [&held](int signal) {
     struct sigaction action {};
-    if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN)
-      sigdelset(&held, signal);
-  }
+    if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL)
+      sigaddset(&held, signal);
+  };
+  hold(SIGTSTP);
+  for (const int signal : requests_to_end()) hold(signal);
   pthread_sigmask(SIG_BLOCK, &held, &before_);
   descriptor_ = signalfd(-1, &held, SFD_NONBLOCK | SFD_CLOEXEC);
   if (descriptor_ >= 0) return;

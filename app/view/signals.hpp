@@ -5,7 +5,8 @@
 
 namespace carom {
 
-/// Holds back the signals that a player answers in its own time, and hands them out one by one.
+/// Holds back the signals that a player answers in its own time, and hands them out one by one: all
+/// that ask it to end, to stop, to go on, or tell of a new size.
 ///
 /// Holds: from construction on they are blocked in this thread and in those it starts, so that no
 /// thread is interrupted at a bad moment; on destruction everything is as before.

@@ -3,41 +3,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstdlib>
 #include <vector>
 
 namespace carom {
 namespace {
 
-/// One thing the line says, from the wordiest way to the shortest; empty: not at all.
-struct Field {
-  std::array<std::string, 3> forms;
-  std::size_t form = 0;
-};
+constexpr std::size_t kApart = 2;  // blanks between fields
 
-std::string joined(const std::vector<Field>& fields) {
-  std::string line;
-  for (const Field& field : fields) {
-    const std::string& text = field.forms[field.form];
-    if (text.empty()) continue;
-    line += (line.empty() ? " " : "  ") + text;
-  }
-  return line;
-}
+struct Field {
+  std::string text;  ///< empty: nothing to say
+  int rank = 0;      ///< fields of a low one are shown before those of a higher one
+};
 
 std::string counted(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-std::string error_text(double error, int digits) {
-  return error == 0 ? "0" : fmt::format("{:.{}e}", error, digits);
-}
-
 std::string pace_text(const Status& status) {
   if (status.paused) return "paused";
-  if (status.pace) return fmt::format("{:.2g}x of real time", *status.pace);
+  if (status.pace)
+    return fmt::format("too slow: {:.2g}x of {}", *status.pace, speed_text(status.speed));
   return speed_text(status.speed);
+}
+
+std::string error_text(double error) {
+  return error == 0 ? "energy error 0" : fmt::format("energy error {:.0e}", std::abs(error));
 }
 
 }  // namespace
@@ -47,36 +38,37 @@ std::string speed_text(double speed) {
 }
 
 std::string status_line(const Status& status, int width) {
-  const std::string pace = pace_text(status);
-  const std::string short_pace =
-      status.pace && !status.paused ? fmt::format("{:.2g}x", *status.pace) : pace;
-  const std::string short_name = status.scene.substr(0, 8);
-  std::vector<Field> fields = {
-      {{status.scene, short_name, ""}},
-      {{counted(status.balls, "ball", "balls"), fmt::format("{}b", status.balls), ""}},
-      {{counted(status.workers, "worker", "workers"), fmt::format("{}w", status.workers), ""}},
-      {{fmt::format("{:.2f} s", status.time), fmt::format("{:.1f}s", status.time), ""}},
-      {{pace, short_pace, ""}},
-      {{fmt::format("{:.1f} fps", status.frames_per_second),
-        fmt::format("{:.0f} fps", status.frames_per_second), ""}},
-      {{fmt::format("{} late", status.late), fmt::format("{} late", status.late), ""}},
-      {{fmt::format("{:.2f} ms", status.computing_milliseconds),
-        fmt::format("{:.1f} ms", status.computing_milliseconds), ""}},
-      {{"energy error " + error_text(status.energy_error, 1),
-        "energy " + error_text(status.energy_error, 0), ""}},
-      {{status.note, status.note, ""}},
+  const bool moves = !status.paused;
+  const std::vector<Field> fields{
+      {status.scene, 4},
+      {counted(status.balls, "ball", "balls"), 3},
+      {counted(status.workers, "worker", "workers"), 8},
+      {fmt::format("{:.2f} s", status.time), 0},
+      {pace_text(status), 1},
+      {moves ? fmt::format("{:.0f} fps", status.frames_per_second) : "", 6},
+      {status.late == 0 ? "" : counted(status.late, "frame late", "frames late"), 5},
+      {moves ? fmt::format("computing {:.1f} ms", status.computing_milliseconds) : "", 9},
+      {error_text(status.energy_error), 7},
+      {status.note, 2},
   };
-  // What gives way first, again and again until the line fits: first every field one form shorter,
-  // then whole fields, the least important first.
-  constexpr std::array<std::size_t, 10> kGiveWay = {8, 6, 7, 2, 5, 9, 1, 0, 4, 3};
-  for (std::size_t form = 1; form < 3; ++form) {
-    for (const std::size_t field : kGiveWay) {
-      if (joined(fields).size() <= static_cast<std::size_t>(std::max(0, width))) break;
-      fields[field].form = form;
-    }
+  std::vector<std::size_t> order(fields.size());
+  for (const Field& field : fields)
+    order[static_cast<std::size_t>(field.rank)] = static_cast<std::size_t>(&field - fields.data());
+  std::vector<bool> shown(fields.size(), false);
+  const auto room = static_cast<std::size_t>(std::max(0, width));
+  std::size_t used = 1;
+  for (const std::size_t index : order) {
+    const std::size_t size = fields[index].text.size();
+    if (size == 0 || used + size > room) continue;
+    shown[index] = true;
+    used += size + kApart;
   }
-  std::string line = joined(fields);
-  return line.substr(0, static_cast<std::size_t>(std::max(0, width)));
+  std::string line;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!shown[i]) continue;
+    line += std::string(line.empty() ? 1 : kApart, ' ') + fields[i].text;
+  }
+  return line;
 }
 
 }  // namespace carom

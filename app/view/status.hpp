@@ -23,8 +23,8 @@ struct Status {
   std::string note;  ///< what else there is to know; empty: nothing
 };
 
-/// The status in `width` characters at most: all in words where they fit, then abbreviated, then
-/// only what matters most.
+/// The status in `width` characters at most, in words: what matters most, and of the rest as much
+/// as fits.
 std::string status_line(const Status& status, int width);
 
 /// A number of simulated or real speed as people write it: "2x", "1/4x".

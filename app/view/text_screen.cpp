@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "view/encoder.hpp"
+
 namespace carom {
 
 std::string to_text(const Canvas& canvas, std::uint64_t frame, double time) {
@@ -9,7 +11,7 @@ std::string to_text(const Canvas& canvas, std::uint64_t frame, double time) {
   for (int row = 0; row < canvas.rows; ++row) {
     std::string line;
     for (int column = 0; column < canvas.columns; ++column)
-      line += canvas.at(column, row).character;
+      append_utf8(canvas.at(column, row).character, line);
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + '\n';
   }

@@ -6,7 +6,31 @@
 
 namespace carom {
 
-Session::Session(Scene scene) : scene_(std::move(scene)), simulation_(scene_) {
+namespace {
+
+bool is_off(const Walls& walls) {
+  return !walls.on;
+}
+bool is_off(const Collisions& collisions) {
+  return !collisions.on;
+}
+bool is_off(const Gravity& gravity) {
+  return gravity.acceleration.x() == 0 && gravity.acceleration.y() == 0;
+}
+bool is_off(const Drag& drag) {
+  return drag.rate == 0;
+}
+bool is_off(const Friction& friction) {
+  return friction.balls == 0 && friction.walls == 0;
+}
+bool is_off(const Attraction& attraction) {
+  return attraction.strength == 0;
+}
+
+}  // namespace
+
+Session::Session(Scene scene)
+    : scene_(std::move(scene)), simulation_(scene_), when_on_(scene_.effects) {
   if (!scene_.continuation) return;
   clock_ = scene_.continuation->clock;
   paused_ = scene_.continuation->paused;
@@ -47,12 +71,31 @@ void Session::apply(const Command& command) {
   } else {
     simulation_.apply(command);
     obeyed_.push_back({simulation_.time(), command});
+    if (const auto* const set = std::get_if<command::SetEffects>(&command)) {
+      for_each_effect([&](const auto& entry) {
+        const auto& value = set->effects.*entry.slot;
+        if (value && !is_off(*value)) when_on_.*entry.slot = value;
+      });
+    }
   }
 }
 
 void Session::start_time_here() {
   clock_origin_ = clock_;
   time_origin_ = simulation_.time();
+}
+
+std::optional<Session::Switch> Session::switch_of(std::string_view effect) const {
+  std::optional<Switch> result;
+  for_each_effect([&](const auto& entry) {
+    const auto& present = simulation_.effects().*entry.slot;
+    if (entry.name != effect || !present) return;
+    result.emplace();
+    result->on = is_off(*present);
+    result->change.effects.*entry.slot =
+        result->on ? *(when_on_.*entry.slot) : switched_off(*present);
+  });
+  return result;
 }
 
 bool Session::stuck() const {

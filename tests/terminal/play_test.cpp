@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <set>
+#include <thread>
 
 #include "scenes.hpp"
 #include "terminal.hpp"
@@ -12,7 +13,7 @@ namespace {
 /// The simulated time that the status line shows; negative if there is none.
 double shown_time(const Terminal& terminal) {
   const std::string text = terminal.text();
-  const auto unit = text.find(" s  ");
+  const auto unit = text.find(" s  ");  // of the status line
   if (unit == std::string::npos) return -1;
   const auto begin = text.rfind(' ', unit - 1);
   return std::strtod(text.c_str() + begin, nullptr);
@@ -85,17 +86,41 @@ TEST(Play, DoesWhatEachKeySays) {
   terminal.type("g");
   EXPECT_TRUE(terminal.wait_for("gravity on")) << terminal.text();
   terminal.type("?");
-  EXPECT_TRUE(terminal.wait_for("start again from the beginning")) << terminal.text();
-  terminal.type("?");
-  EXPECT_TRUE(terminal.wait([](const Terminal& t) {
-    return !t.shows("start again from the beginning");
-  })) << terminal.text();
+  EXPECT_TRUE(terminal.wait_for("pause, and go on")) << terminal.text();
+  terminal.type("\x1B");
+  EXPECT_TRUE(terminal.wait([](const Terminal& t) { return !t.shows("pause, and go on"); }))
+      << terminal.text();
   terminal.type("r");
   EXPECT_TRUE(terminal.wait_for(" 3 balls")) << terminal.text();
   EXPECT_TRUE(terminal.wait_for("restarted")) << terminal.text();
   terminal.type("q");
   EXPECT_EQ(terminal.wait_for_end(), 0);
   EXPECT_TRUE(terminal.given_back());
+}
+
+TEST(Play, DrawsWithTheGlyphsOfItsOptionAtItsFrameRate) {
+  const SceneFile scene(kThreeBalls);
+  // Half-blocks are U+2580 and U+2584; patterns of braille begin with the bytes E2 A0 to E2 A3.
+  Terminal blocks({scene.path(), "--glyphs", "blocks", "--fps", "10"});
+  ASSERT_TRUE(blocks.wait_for("fps")) << blocks.text();
+  std::set<double> times;
+  const auto start = std::chrono::steady_clock::now();
+  blocks.watch(std::chrono::milliseconds{1500}, [&] { times.insert(shown_time(blocks)); });
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  EXPECT_LE(static_cast<double>(times.size()), 10 * elapsed.count() + 3);
+  EXPECT_GT(blocks.count("\xE2\x96\x80") + blocks.count("\xE2\x96\x84"), 0U);
+  EXPECT_FALSE(blocks.mode_on("1002")) << "the mouse does nothing, and is the terminal's";
+  blocks.type("q");
+  EXPECT_EQ(blocks.wait_for_end(), 0);
+
+  Terminal braille({scene.path(), "--glyphs", "braille"});
+  ASSERT_TRUE(braille.wait_for("fps")) << braille.text();
+  std::size_t patterns = 0;
+  for (const char* const start_of : {"\xE2\xA0", "\xE2\xA1", "\xE2\xA2", "\xE2\xA3"})
+    patterns += braille.count(start_of);
+  EXPECT_GT(patterns, 0U);
+  braille.type("q");
+  EXPECT_EQ(braille.wait_for_end(), 0);
 }
 
 TEST(Play, SaysThatASceneHasNoGravity) {
@@ -160,23 +185,31 @@ TEST(Play, StopsAtTheStopKeyAndGoesOnWhereItWas) {
   Terminal terminal({scene.path()});
   ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
   for (int round = 0; round < 2; ++round) {
+    const double stopped = shown_time(terminal);
+    ASSERT_GE(stopped, 0);
     terminal.type("\x1A");  // ^Z
     ASSERT_TRUE(terminal.wait_until_stopped());
     terminal.watch(std::chrono::milliseconds{50}, [] {});
     EXPECT_TRUE(terminal.given_back());
+    // Longer than the simulated time may be off by below.
+    terminal.watch(std::chrono::milliseconds{2500}, [] {});
     terminal.resize(70 + round, 22);
     terminal.signal(SIGCONT);
     EXPECT_TRUE(terminal.wait([](const Terminal& t) {
       return t.alternate_screen() && !t.cursor_visible() &&
-             t.row(20).find(" s ") != std::string::npos;
+             t.row(20).find(" s  ") != std::string::npos;
     })) << terminal.text();
+    const double after = shown_time(terminal);
+    EXPECT_GE(after, stopped);
+    EXPECT_LT(after, stopped + 2) << "the time it was stopped has passed in the scene";
+    EXPECT_TRUE(terminal.mode_on("2004"));
   }
   terminal.type("q");
   EXPECT_EQ(terminal.wait_for_end(), 0);
   EXPECT_TRUE(terminal.given_back());
 }
 
-TEST(Play, DrawsAnewWhenItIsContinuedAfterAStopThatItCouldNotSee) {
+TEST(Play, DrawsAllAgainWhenItIsContinuedAfterAStopThatItCouldNotSee) {
   const SceneFile scene(kThreeBalls);
   Terminal terminal({scene.path()});
   ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
@@ -206,7 +239,94 @@ TEST_P(EndedBySignal, GivesTheTerminalBackAndTellsTheSignal) {
   EXPECT_EQ(terminal.shows("carom: three: "), GetParam() != SIGHUP) << terminal.text();
 }
 
-INSTANTIATE_TEST_SUITE_P(Signals, EndedBySignal, testing::Values(SIGINT, SIGTERM, SIGHUP, SIGQUIT));
+INSTANTIATE_TEST_SUITE_P(Signals, EndedBySignal,
+                         testing::Values(SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGUSR1,
+                                         SIGUSR2, SIGALRM, SIGXCPU, SIGXFSZ, SIGVTALRM, SIGPROF,
+                                         SIGPOLL, SIGPWR, SIGSTKFLT,
+                                         40));  // the last is a real-time one
+
+class Crash : public testing::TestWithParam<int> {};
+
+TEST_P(Crash, GivesTheTerminalBack) {
+  const SceneFile scene(kThreeBalls);
+  Terminal terminal({scene.path()});
+  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  ASSERT_FALSE(terminal.given_back());
+  terminal.signal(GetParam());
+  EXPECT_EQ(terminal.wait_for_end(), Terminal::kKilled + GetParam());
+  EXPECT_TRUE(terminal.given_back()) << terminal.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Crash,
+                         testing::Values(SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSYS,
+                                         SIGTRAP));
+
+TEST(Play, EndsThoughItsOutputWasStopped) {
+  const SceneFile scene(kThreeBalls);
+  for (const int signal : {0, SIGTERM, SIGUSR1}) {
+    Terminal terminal({scene.path()});
+    ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+    terminal.type("\x13");  // ^S
+    terminal.watch(std::chrono::milliseconds{300}, [] {});
+    if (signal == 0) {
+      terminal.type("q");
+    } else {
+      terminal.signal(signal);
+    }
+    EXPECT_EQ(terminal.wait_for_end(), signal == 0 ? 0 : 128 + signal);
+    EXPECT_TRUE(terminal.given_back()) << terminal.text();
+  }
+}
+
+TEST(Play, ShowsTheLatestPictureOnceStoppedOutputGoesOn) {
+  const SceneFile scene(kThreeBalls);
+  Terminal terminal({scene.path()});
+  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  terminal.type("\x13");
+  terminal.watch(std::chrono::milliseconds{200}, [] {});
+  const double before = shown_time(terminal);
+  terminal.watch(std::chrono::milliseconds{800}, [] {});
+  EXPECT_LT(shown_time(terminal), before + 0.3);
+  terminal.type("p\x11");  // and ^Q
+  EXPECT_TRUE(terminal.wait([&](const Terminal& t) {
+    return t.shows("paused") && shown_time(t) > before + 0.3;
+  })) << terminal.text();
+}
+
+TEST(Play, EndsThoughItsOutputIsNotRead) {
+  const SceneFile scene(kThreeBalls);
+  Terminal terminal({scene.path()});
+  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  // A pseudo-terminal holds some 64 KiB at the most: large pictures fill it.
+  for (int i = 0; i < 60; ++i) {
+    terminal.resize(250 + i % 2, 90);
+    std::this_thread::sleep_for(std::chrono::milliseconds{40});
+  }
+  terminal.signal(SIGTERM);
+  EXPECT_TRUE(terminal.ends_unread());
+}
+
+TEST(Play, TakesNoPartOfAnEscapeSequenceForAKey) {
+  const SceneFile scene(kThreeBalls);
+  for (const char* const term : {"TERM=xterm-256color", "TERM=screen", "TERM=linux"}) {
+    Terminal::Settings settings;
+    settings.environment = {term};
+    Terminal terminal({scene.path()}, settings);
+    ASSERT_TRUE(terminal.wait_for(" 3 balls")) << terminal.text();
+    // Ctrl-Up in its forms, Alt-x, F1 to F5, Shift-Tab, mouse reports of old terminals, an answer
+    // of the terminal, a key beyond ASCII.
+    terminal.type(
+        "\x1B[1;5A\x1BO5A\x1B[5A\x1B[[A\x1BOa\x1Bx\x1BOP\x1B[15~\x1B[Z\x1B[M Ax"
+        "\x1B]11;rgb:aa/aa/aa\x1B\\\x1BP1$rxA\x1B\\\xC3\xA9\x1B\xC3\xA9");
+    terminal.type("\x1B[200~Aaxq\rA\x1B[201~");
+    EXPECT_TRUE(terminal.wait_for("pasted text is ignored")) << terminal.text();
+    terminal.watch(std::chrono::milliseconds{300}, [] {});
+    EXPECT_TRUE(terminal.shows(" 3 balls")) << terminal.text();
+    terminal.type("a");
+    EXPECT_TRUE(terminal.wait_for(" 4 balls")) << terminal.text();
+    EXPECT_TRUE(terminal.mode_on("2004"));
+  }
+}
 
 TEST(Play, AnswersKeysAndSignalsWhilePaused) {
   const SceneFile scene(kThreeBalls);

@@ -9,8 +9,8 @@
 #include "carom/crew.hpp"
 #include "scenes.hpp"
 #include "terminal.hpp"
-#include "view/curses_screen.hpp"
 #include "view/player.hpp"
+#include "view/terminal_screen.hpp"
 
 namespace carom::test {
 namespace {
@@ -26,7 +26,6 @@ TEST(Refusal, NamesATerminalThatCannotShowMovingBalls) {
   const SceneFile scene(kThreeBalls);
   const std::pair<std::string, std::string> cases[] = {
       {"TERM=dumb", "TERM=dumb cannot move its cursor"},
-      {"TERM=no-such-terminal", "TERM=no-such-terminal is not a terminal known here"},
       {"TERM=", "TERM is not set"},
       {"LANG=C", "TERM is not set"}};
   for (const auto& [setting, words] : cases) {
@@ -41,6 +40,21 @@ TEST(Refusal, NamesATerminalThatCannotShowMovingBalls) {
     EXPECT_EQ(terminal.output().find('\x1B'), std::string::npos);
     EXPECT_TRUE(terminal.given_back());
   }
+}
+
+TEST(Refusal, TreatsAnUnknownTerminalAsTheUsualOneAndSaysSo) {
+  const SceneFile scene(kThreeBalls);
+  Terminal::Settings settings;
+  settings.environment = {"TERM=no-such-terminal", "LANG=C"};
+  Terminal terminal({scene.path()}, settings);
+  ASSERT_TRUE(terminal.wait_for(" 3 balls")) << terminal.text();
+  terminal.type("q");
+  EXPECT_EQ(terminal.wait_for_end(), 0);
+  EXPECT_TRUE(terminal.given_back());
+  EXPECT_NE(flowing(terminal).find(
+                "carom: TERM=no-such-terminal is not known here: treated as xterm-256color"),
+            std::string::npos)
+      << terminal.text();
 }
 
 /// Runs `command` in a shell and gives its standard error; puts its exit status into `status`.
@@ -80,7 +94,7 @@ TEST(Failure, InAWorkerGivesTheTerminalBackAndIsTold) {
   Terminal terminal([] {
     try {
       Signals signals;
-      CursesScreen screen(signals, true);
+      TerminalScreen screen(signals, load_terminal_info(), {});
       Canvas canvas(screen.size().columns, screen.size().rows);
       canvas.write(0, 0, "playing", Ink::status);
       screen.show(canvas);

@@ -41,7 +41,10 @@ constexpr std::chrono::seconds kLong{30};  // a loaded machine, with sanitizers
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   tcsetpgrp(STDIN_FILENO, getpid());
-  _exit(WIFEXITED(status) ? WEXITSTATUS(status) : 200);
+  if (WIFEXITED(status)) _exit(WEXITSTATUS(status));
+  signal(WTERMSIG(status), SIG_DFL);
+  raise(WTERMSIG(status));
+  _exit(200);
 }
 
 int run_carom(const std::vector<std::string>& arguments,
@@ -189,7 +192,17 @@ int Terminal::wait_for_end() {
   leader_ = -1;
   while (read_some(std::chrono::milliseconds{0})) {
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : kKilled + WTERMSIG(status);
+}
+
+bool Terminal::ends_unread() {
+  const auto end = Clock::now() + kLong;
+  while (waitpid(leader_, nullptr, WNOHANG) == 0) {
+    if (Clock::now() > end) return false;
+    poll(nullptr, 0, 20);
+  }
+  leader_ = -1;
+  return true;
 }
 
 bool Terminal::wait_until_stopped() {
@@ -231,7 +244,24 @@ bool Terminal::settings_restored() const {
 }
 
 bool Terminal::given_back() const {
-  return settings_restored() && cursor_visible_ && !alternate_screen_;
+  for (const char* const mode : {"1000", "1002", "1003", "1006", "2004", "2026"}) {
+    if (mode_on(mode)) return false;
+  }
+  return settings_restored() && cursor_visible_ && !alternate_screen_ &&
+         count("\x1B[22;2t") == count("\x1B[23;2t");
+}
+
+bool Terminal::mode_on(const std::string& number) const {
+  const auto on = output_.rfind("\x1B[?" + number + 'h');
+  const auto off = output_.rfind("\x1B[?" + number + 'l');
+  return on != std::string::npos && (off == std::string::npos || off < on);
+}
+
+std::size_t Terminal::count(const std::string& bytes) const {
+  std::size_t times = 0;
+  for (auto at = output_.find(bytes); at != std::string::npos; at = output_.find(bytes, at + 1))
+    ++times;
+  return times;
 }
 
 }  // namespace carom::test

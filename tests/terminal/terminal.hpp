@@ -43,8 +43,11 @@ class Terminal {
   bool wait_for(const std::string& words);
   /// Reads for this long, and calls `seen` whenever something came.
   void watch(std::chrono::milliseconds time, const std::function<void()>& seen);
-  /// Reads until the program has ended; its exit status, or 1000 + the signal that killed it.
+  static constexpr int kKilled = 1000;
+  /// Reads until the program has ended; its exit status, or kKilled + the signal that killed it.
   int wait_for_end();
+  /// Whether it ends, too, while its output is not read.
+  bool ends_unread();
   bool wait_until_stopped();
 
   [[nodiscard]] std::string row(int row) const;
@@ -55,7 +58,10 @@ class Terminal {
   [[nodiscard]] bool alternate_screen() const { return alternate_screen_; }
   /// The line discipline is what it was before the program started.
   [[nodiscard]] bool settings_restored() const;
-  /// All three: settings, cursor, screen.
+  /// The mode of that number ("?1002h" and "?1002l") was set and not reset.
+  [[nodiscard]] std::size_t count(const std::string& bytes) const;  ///< in the output
+  [[nodiscard]] bool mode_on(const std::string& number) const;
+  /// All: settings, cursor, screen, mouse, paste, title.
   [[nodiscard]] bool given_back() const;
 
  private:

@@ -9,6 +9,7 @@
 
 #include "view/camera.hpp"
 #include "view/disk.hpp"
+#include "view/encoder.hpp"
 #include "view/text_screen.hpp"
 
 namespace carom {
@@ -40,9 +41,9 @@ int count(const Canvas& canvas, Ink ink) {
                                         [ink](const Cell& cell) { return cell.ink == ink; }));
 }
 
-char mirrored(char character, const std::string& from, const std::string& to) {
+char32_t mirrored(char32_t character, const std::u32string& from, const std::u32string& to) {
   const auto place = from.find(character);
-  return place == std::string::npos ? character : to[place];
+  return place == std::u32string::npos ? character : to[place];
 }
 
 TEST(Paint, CoversTheAreaOfADiskToSampling) {
@@ -133,14 +134,14 @@ TEST(Paint, DrawsAMirroredFrameAsTheMirroredPicture) {
   const Camera camera(frame.box, 80, 24);
   for (int i = 0; i < camera.columns(); ++i) {
     for (int j = 0; j < camera.rows(); ++j) {
-      const char here = plain.at(camera.left() + i, camera.top() + j).character;
+      const char32_t here = plain.at(camera.left() + i, camera.top() + j).character;
       const int opposite_column = camera.left() + camera.columns() - 1 - i;
       const int opposite_row = camera.top() + camera.rows() - 1 - j;
       EXPECT_EQ(
-          mirrored(mirror.at(opposite_column, camera.top() + j).character, "()dbqP", ")(bdPq"),
+          mirrored(mirror.at(opposite_column, camera.top() + j).character, U"()dbqP", U")(bdPq"),
           here);
       if (here != 'o' && here != '"' && here != '\'' && here != '.' && here != '_') {
-        EXPECT_EQ(mirrored(flip.at(camera.left() + i, opposite_row).character, "dbqP", "qPdb"),
+        EXPECT_EQ(mirrored(flip.at(camera.left() + i, opposite_row).character, U"dbqP", U"qPdb"),
                   here);
       }
     }
@@ -153,7 +154,7 @@ TEST(Paint, ChoosesTheMirroredCharacterForEveryMirroredCoverage) {
     plain.quarters = {code % 17, code / 17 % 17, code / 289 % 17, code / 4913};
     Coverage mirror;
     mirror.quarters = {plain.quarters[1], plain.quarters[0], plain.quarters[3], plain.quarters[2]};
-    ASSERT_EQ(mirrored(character_for(mirror), "()dbqP", ")(bdPq"), character_for(plain)) << code;
+    ASSERT_EQ(mirrored(character_for(mirror), U"()dbqP", U")(bdPq"), character_for(plain)) << code;
   }
 }
 
@@ -170,7 +171,7 @@ TEST(Paint, DrawsASymmetricRackSymmetrically) {
     for (int column = 0; column < canvas.columns; ++column) {
       EXPECT_EQ(
           canvas.at(column, row).character,
-          mirrored(canvas.at(canvas.columns - 1 - column, row).character, "()dbqP", ")(bdPq"));
+          mirrored(canvas.at(canvas.columns - 1 - column, row).character, U"()dbqP", U")(bdPq"));
     }
   }
 }
@@ -297,7 +298,7 @@ TEST(Canvas, ShowsOneQuestionMarkForALetterBeyondAscii) {
                "b\tz",
                Ink::status);
   std::string text;
-  for (const Cell& cell : canvas.cells) text += cell.character;
+  for (const Cell& cell : canvas.cells) append_utf8(cell.character, text);
   EXPECT_EQ(text, "a?b?");
 }
 

@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "carom/scene_file.hpp"
+#include "view/cost_panel.hpp"
+#include "view/encoder.hpp"
+#include "view/keys.hpp"
 #include "view/paint.hpp"
-#include "view/price.hpp"
 
 namespace carom {
 namespace {
@@ -38,14 +40,17 @@ class Stage : public UserInterface {
     }
   };
 
-  void key(double at, char key) { acts_.push_back({at, {Event::Kind::key, key}, {}}); }
+  void key(double at, int key) { acts_.push_back({at, {Event::Kind::key, key, {}}, {}}); }
+  void keys(double at, const std::string& keys) {
+    for (const char each : keys) key(at, each);
+  }
   void event(double at, Event event) { acts_.push_back({at, event, {}}); }
   void stop(double at, std::chrono::seconds unseen) {
-    acts_.push_back({at, {Event::Kind::resumed, 0}, unseen});
+    acts_.push_back({at, {Event::Kind::resumed, 0, {}}, unseen});
   }
   void resize(double at, Size size) {
     resizes_.emplace_back(at, size);
-    event(at, {Event::Kind::resized, 0});
+    event(at, {Event::Kind::resized, 0, {}});
   }
 
   [[nodiscard]] Size size() const override { return size_; }
@@ -53,7 +58,7 @@ class Stage : public UserInterface {
     Shot shot{seconds(), {}};
     for (int row = 0; row < canvas.rows; ++row) {
       for (int column = 0; column < canvas.columns; ++column)
-        shot.text += canvas.at(column, row).character;
+        append_utf8(canvas.at(column, row).character, shot.text);
       shot.text += '\n';
     }
     shots.push_back(shot);
@@ -61,13 +66,13 @@ class Stage : public UserInterface {
   }
   Event wait_until(Instant deadline) override {
     if (acts_.empty()) {
-      if (deadline - now_ > std::chrono::hours{1}) return {Event::Kind::ended, SIGTERM};
+      if (deadline - now_ > std::chrono::hours{1}) return {Event::Kind::ended, SIGTERM, {}};
       now_ = std::max(now_, deadline);
       return {};
     }
     const Act act = acts_.front();
     const Instant when = Instant{} + duration_cast<Instant::duration>(duration<double>(act.at));
-    if (when > deadline) {
+    if (when > std::max(deadline, now_)) {
       now_ = std::max(now_, deadline);
       return {};
     }
@@ -129,7 +134,7 @@ TEST(Player, CountsFramesGivenUpAsLateAndStaysOnTheBeat) {
   player.play();
   for (std::size_t i = 1; i < stage.shots.size(); ++i)
     EXPECT_NEAR(stage.shots[i].at - stage.shots[i - 1].at, 2.0 / 30, 1e-6);
-  EXPECT_TRUE(stage.shots.back().says(fmt::format(" {} late", stage.shots.size() - 1)))
+  EXPECT_TRUE(stage.shots.back().says(fmt::format(" {} frames late", stage.shots.size() - 1)))
       << stage.shots.back().text;
 }
 
@@ -140,7 +145,7 @@ TEST(Player, SlowsASimulationDownThatCannotKeepUpAndSaysSo) {
   stage.key(3.1, 'q');
   Player player(one_ball(), stage);
   player.play();
-  EXPECT_TRUE(stage.at(2.9).says("x of real time")) << stage.at(2.9).text;
+  EXPECT_TRUE(stage.at(2.9).says("too slow: ")) << stage.at(2.9).text;
   EXPECT_TRUE(stage.at(3.1).says("paused")) << "the key waits for no simulation";
 }
 
@@ -207,7 +212,7 @@ TEST(Player, RestartsFromTheBeginning) {
 
 TEST(Player, EndsWithTheNumberOfTheSignal) {
   Stage stage;
-  stage.event(0.2, {Event::Kind::ended, SIGTERM});
+  stage.event(0.2, {Event::Kind::ended, SIGTERM, {}});
   Player player(one_ball(), stage);
   EXPECT_EQ(player.play(), SIGTERM);
 }
@@ -218,7 +223,7 @@ TEST(Player, DoesNotCountTheTimeThatItWasStopped) {
   stage.key(1001.01, 'q');
   Player player(one_ball(), stage);
   player.play();
-  EXPECT_TRUE(stage.shots.back().says(" 0 late")) << stage.shots.back().text;
+  EXPECT_FALSE(stage.shots.back().says(" late")) << stage.shots.back().text;
   EXPECT_NE(player.summary().find("one: 1.0"), std::string::npos) << player.summary();
 }
 
@@ -236,35 +241,144 @@ TEST(Player, SaysHowSmallIsTooSmallAndGoesOn) {
   EXPECT_EQ(stage.at(0.5).text, "t\n");
   EXPECT_EQ(stage.at(0.7).text, "");
   EXPECT_FALSE(stage.at(0.9).says("too small"));
-  EXPECT_TRUE(stage.at(0.9).says("one")) << stage.at(0.9).text;
+  EXPECT_TRUE(stage.at(0.9).says("1 ball")) << stage.at(0.9).text;
   EXPECT_EQ(std::count(stage.at(1.1).text.begin(), stage.at(1.1).text.end(), '\n'), 100);
 }
 
-TEST(Player, TurnsThePagesOfTheHelpAndPutsItAway) {
+TEST(Player, TurnsThePagesOfTheHelpAndClosesIt) {
   for (const UserInterface::Size size : {UserInterface::Size{80, 24}, {20, 8}, {300, 100}}) {
     Stage stage;
     stage.resize(0, size);
-    for (int i = 1; i <= 8; ++i) stage.key(i, '?');
-    stage.key(9, 'q');
+    for (int i = 1; i <= 14; ++i) stage.key(i, '?');
+    stage.key(15, 'q');
+    stage.key(16, 'q');
     Player player(one_ball(), stage);
     player.play();
     std::string seen;
     for (const Stage::Shot& shot : stage.shots) seen += shot.text;
-    for (const char* const words : {"space p", "one frame", "add a ball", "quit"})
-      EXPECT_NE(seen.find(std::string(words).substr(0, 8)), std::string::npos) << words;
-    EXPECT_NE(seen.find("help away"), std::string::npos);
+    for (const char* const words : {"space p", "one frame", "add a ball", "quit", "Esc"})
+      EXPECT_NE(seen.find(std::string(words).substr(0, 7)), std::string::npos) << words;
+    EXPECT_TRUE(stage.at(1.5).says("Time")) << stage.at(1.5).text;
+    EXPECT_FALSE(stage.at(15.5).says("Time"));
   }
+}
+
+TEST(Player, EscapeEnterAndQCloseTheHelp) {
+  for (const int close : {key::kEscape, key::kEnter, int{'q'}}) {
+    Stage stage;
+    stage.key(1, '?');
+    stage.key(2, close);
+    stage.key(3, 'q');
+    Player player(one_ball(), stage);
+    player.play();
+    EXPECT_TRUE(stage.at(1.5).says("remove the newest ball")) << stage.at(1.5).text;
+    EXPECT_FALSE(stage.at(2.5).says("remove the newest ball")) << stage.at(2.5).text;
+    EXPECT_NEAR(stage.seconds(), 3, 0.1);
+  }
+}
+
+TEST(Player, EveryKeyOfTheHelpDoesSomethingAndNoOtherDoes) {
+  std::string told;
+  for (const KeyHelp& line : kKeyHelp) {
+    if (line.keys == "space p")
+      told += " p";
+    else if (line.keys.size() == 1 || line.keys[1] == ' ')
+      told += line.keys;
+  }
+  for (char each = '!'; each <= '~'; ++each) {
+    Stage stage;
+    stage.key(0.1, each);
+    stage.key(0.3, 'q');
+    stage.key(0.4, 'q');
+    Player(one_ball(), stage).play();
+    const bool known = told.find(each) != std::string::npos || each == '=' || each == '_';
+    EXPECT_EQ(stage.shots.back().says("no such key"), !known) << each << stage.shots.back().text;
+  }
+}
+
+TEST(Player, QuitAndPauseGoAheadOfAllThatWaits) {
+  // Each look at the clock costs: acting on every key would take seconds.
+  for (const std::string& flood :
+       {std::string(300, '['), std::string(300, 'A'), std::string(301, 'm')}) {
+    Scene scene = one_ball();
+    scene.solver.method = Method::overlap;
+    Stage stage;
+    stage.looking = milliseconds{1};
+    stage.keys(0.5, flood);
+    stage.key(0.5, 'q');
+    Player player(scene, stage);
+    player.play();
+    EXPECT_LT(stage.seconds(), 1) << flood[0];
+    EXPECT_LT(player.session().simulation().balls(), 20U);
+  }
+  Stage stage;
+  stage.keys(0.5, std::string(300, 'a'));
+  stage.key(0.5, 'p');
+  stage.key(5, 'q');
+  Player player(one_ball(), stage);
+  player.play();
+  EXPECT_TRUE(stage.at(0.6).says("paused")) << stage.at(0.6).text;
+}
+
+TEST(Player, BoundsTheStepAndCountsRepeatsTogether) {
+  Scene scene = one_ball();
+  scene.solver.method = Method::overlap;
+  Stage stage;
+  stage.keys(0.5, "[[");
+  stage.keys(1, std::string(300, '['));
+  stage.keys(1.5, "[");
+  stage.keys(2, std::string(300, ']'));
+  stage.key(2.5, 'q');
+  Player(scene, stage).play();
+  EXPECT_TRUE(stage.at(0.8).says("step 1/960 s")) << stage.at(0.8).text;
+  EXPECT_TRUE(stage.at(1.2).says("step 1/30720 s")) << stage.at(1.2).text;
+  EXPECT_TRUE(stage.at(1.8).says("step stays 1/30720 s")) << stage.at(1.8).text;
+  EXPECT_TRUE(stage.at(2.4).says("step 1/15 s")) << stage.at(2.4).text;
+}
+
+TEST(Player, MethodEventHasNoStep) {
+  Stage stage;
+  stage.key(0.5, '[');
+  stage.key(1.5, 'q');
+  Player(one_ball(), stage).play();
+  EXPECT_TRUE(stage.at(0.7).says("no step with method event")) << stage.at(0.7).text;
+}
+
+TEST(Player, AnEffectComesBackWithTheValuesOfTheScript) {
+  Scene scene = one_ball();
+  scene.solver.method = Method::event;
+  scene.effects.gravity.emplace().acceleration = {0, -1};
+  command::SetEffects set;
+  set.effects.gravity.emplace().acceleration = {0, -3};
+  scene.script = {{0.5, set}};
+  Stage stage;
+  stage.key(1, 'g');
+  stage.key(1.5, 'g');
+  stage.key(2, 'q');
+  Player player(scene, stage);
+  player.play();
+  EXPECT_TRUE(stage.at(1.2).says("gravity off")) << stage.at(1.2).text;
+  EXPECT_TRUE(stage.at(1.7).says("gravity on")) << stage.at(1.7).text;
+  EXPECT_EQ(player.session().simulation().effects().gravity->acceleration.y(), -3);
+}
+
+TEST(Player, PastedTextIsNoCommand) {
+  Stage stage;
+  stage.event(0.5, {Event::Kind::pasted, 0, {}});
+  stage.key(1, 'q');
+  Player(one_ball(), stage).play();
+  EXPECT_TRUE(stage.at(0.7).says("pasted text is ignored")) << stage.at(0.7).text;
 }
 
 TEST(Player, SaysThatAKeyIsNone) {
   Stage stage;
-  stage.key(0.1, 'z');
+  stage.key(0.1, 'Z');
   stage.key(0.5, 0);
   stage.key(0.9, 'q');
   Player player(one_ball(), stage);
   player.play();
-  EXPECT_TRUE(stage.at(0.2).says("'z' is no key here"));
-  EXPECT_TRUE(stage.at(0.6).says("that is no key here"));
+  EXPECT_TRUE(stage.at(0.2).says("no such key: Z (? for help)"));
+  EXPECT_TRUE(stage.at(0.6).says("no such key (? for help)"));
 }
 
 TEST(Player, ShowsFramesUnderAFloodOfKeys) {
@@ -331,7 +445,7 @@ TEST(Player, TheExactRunsBallsAreFaintMarksWhereThePictureIsEmpty) {
   Frame frame;
   frame.box = scene.box;
   frame.balls.push_back({{10, 5}, 0.5, 0, false, 0});
-  paint_ghost(frame, canvas);
+  paint_reference(frame, canvas);
   const auto mark = std::find_if(canvas.cells.begin(), canvas.cells.end(),
                                  [](const Cell& cell) { return cell.character == '+'; });
   ASSERT_NE(mark, canvas.cells.end());
@@ -341,7 +455,7 @@ TEST(Player, TheExactRunsBallsAreFaintMarksWhereThePictureIsEmpty) {
             1);
   paint(frame, canvas);
   const Canvas with_ball = canvas;
-  paint_ghost(frame, canvas);
+  paint_reference(frame, canvas);
   EXPECT_TRUE(std::equal(canvas.cells.begin(), canvas.cells.end(), with_ball.cells.begin(),
                          [](const Cell& a, const Cell& b) { return a.character == b.character; }))
       << "a ball on screen is not marked";

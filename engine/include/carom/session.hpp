@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "carom/simulation.hpp"
@@ -34,6 +36,18 @@ class Session {
   /// The frame clock at a simulated time, if no pause comes before.
   [[nodiscard]] double clock_at(double time) const { return clock_origin_ + (time - time_origin_); }
 
+  /// The effects with the values they last had while they were on; those of the scene at first.
+  [[nodiscard]] const Effects& effects_when_on() const { return when_on_; }
+  /// Of a session that goes on as another one.
+  void set_effects_when_on(const Effects& effects) { when_on_ = effects; }
+  /// What switches an effect of the scene off, or on with the values it last had; nothing where the
+  /// scene does not name it.
+  struct Switch {
+    command::SetEffects change;
+    bool on = false;  ///< afterwards
+  };
+  [[nodiscard]] std::optional<Switch> switch_of(std::string_view effect) const;
+
   [[nodiscard]] Simulation& simulation() { return simulation_; }
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -57,6 +71,7 @@ class Session {
   double time_origin_ = 0;
   bool paused_ = false;
   bool quit_ = false;
+  Effects when_on_;
   std::size_t next_line_ = 0;
   std::vector<ScriptLine> obeyed_;  // commands for the simulation, by simulated time
 };

@@ -1,4 +1,4 @@
-#include "view/ghost.hpp"
+#include "view/reference_run.hpp"
 
 #include <fmt/format.h>
 
@@ -49,7 +49,7 @@ std::string name_of(const Scene& scene) {
 
 }  // namespace
 
-Ghost::Ghost(const Session& session)
+ReferenceRun::ReferenceRun(const Session& session)
     : box_(session.scene().box),
       begun_(moment_of(session.simulation())),
       balls_(session.simulation().balls()),
@@ -57,7 +57,7 @@ Ghost::Ghost(const Session& session)
       name_(name_of(exact_scene(session))),
       simulation_(exact_scene(session)) {}
 
-void Ghost::follow(const Simulation& run) {
+void ReferenceRun::follow(const Simulation& run) {
   simulation_.advance_to(std::max(simulation_.time(), moment_of(run) - begun_));
   const std::vector<Ball> here = run.state();
   const std::vector<Ball> there = simulation_.state();
@@ -72,7 +72,7 @@ void Ghost::follow(const Simulation& run) {
   }
 }
 
-bool Ghost::is_of(const Simulation& run) const {
+bool ReferenceRun::is_of(const Simulation& run) const {
   return run.balls() == balls_ && run.measure().energy_input == energy_input_;
 }
 

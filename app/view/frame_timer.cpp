@@ -1,8 +1,8 @@
-#include "view/pacer.hpp"
+#include "view/frame_timer.hpp"
 
 namespace carom {
 
-void Pacer::shown(Instant now) {
+void FrameTimer::shown(Instant now) {
   due_ += period_;
   if (now < due_) return;
   const auto missed = (now - due_) / period_ + 1;

@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// A ball like the newest free one, at a free place and on its way; `number` tells newcomers apart.
+/// A ball like the newest free one, at a free place and on its way; `number` tells balls apart.
 /// None where there is no free place.
-std::optional<Ball> newcomer(const Session& session, std::uint64_t number);
+std::optional<Ball> spawn(const Session& session, std::uint64_t number);
 
 }  // namespace carom

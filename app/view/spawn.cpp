@@ -1,4 +1,4 @@
-#include "view/newcomer.hpp"
+#include "view/spawn.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ double typical_speed(const std::vector<Ball>& balls, const Box& box) {
 
 }  // namespace
 
-std::optional<Ball> newcomer(const Session& session, std::uint64_t number) {
+std::optional<Ball> spawn(const Session& session, std::uint64_t number) {
   const std::vector<Ball> balls = session.simulation().state();
   Ball ball = model(balls, session.scene().box);
   const auto place = find_free_place(session.scene(), balls, ball.radius, number);

@@ -4,12 +4,12 @@
 #include <string>
 
 #include "carom/frame.hpp"
-#include "view/canvas.hpp"
+#include "view/paint.hpp"
 
 namespace carom {
 
-/// The exact run beside one on screen.
-struct ExactRun {
+/// The reference run beside the one on screen.
+struct ReferenceCost {
   std::string name;
   double milliseconds = 0;
   double distance = 0;  ///< largest of a ball between the two, scene units
@@ -17,18 +17,18 @@ struct ExactRun {
 };
 
 /// What a run on screen costs, and how wrong it is.
-struct Price {
+struct Cost {
   std::string method;       ///< as in "overlap, step 1/240 s"
   double milliseconds = 0;  ///< of computing a frame
   double energy_error = 0;  ///< relative
   double max_overlap = 0;   ///< of the smaller radius
-  std::optional<ExactRun> beside;
+  std::optional<ReferenceCost> reference;
 };
 
-/// Lays the price over the upper right corner of the canvas, as much of it as fits.
-void paint_price(const Price& price, Canvas& canvas);
+/// The panel, at most `columns` by `rows`.
+Canvas cost_panel(const Cost& cost, int columns, int rows, Glyphs glyphs);
 
-/// Marks where the balls of an exact run are, where the picture is empty.
-void paint_ghost(const Frame& frame, Canvas& canvas);
+/// Marks where the balls of a reference run are, where the picture is empty.
+void paint_reference(const Frame& frame, Canvas& canvas, const Drawing& drawing = {});
 
 }  // namespace carom

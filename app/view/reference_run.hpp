@@ -7,16 +7,16 @@
 
 namespace carom {
 
-/// An exact run of the same scene, beside the one that is watched: begun where that one stood, it
-/// shows how the two part.
+/// A more exact run of the same scene, beside the one that is watched: it begins where that one
+/// stands, and shows how far the two part.
 ///
 /// It is computed by method event, on one worker; beside a run of that method with more digits, or
 /// with shorter steps where the method takes some.
 /// Threads: the control thread only.
 /// Errors: the constructor throws SceneError where the method cannot take the scene.
-class Ghost {
+class ReferenceRun {
  public:
-  explicit Ghost(const Session& session);
+  explicit ReferenceRun(const Session& session);
 
   /// Moves on to the moment that the run shows, which between two steps is the last one's end.
   /// REQUIRES: `is_of(run)`.

@@ -7,11 +7,11 @@
 namespace carom {
 
 /// The times at which frames are due: whole periods from a start, so that no lateness adds up.
-class Pacer {
+class FrameTimer {
  public:
   using Period = std::chrono::nanoseconds;
 
-  Pacer(Period period, Instant start) : period_(period), due_(start) {}
+  FrameTimer(Period period, Instant start) : period_(period), due_(start) {}
 
   [[nodiscard]] Period period() const { return period_; }
   /// When the next frame is due.
@@ -19,7 +19,7 @@ class Pacer {
   /// The frame that was due is on screen at `now`.  Each later frame whose time has passed by then
   /// is given up and counted as late.
   void shown(Instant now);
-  /// Counts from `now` anew: time has passed in which no frame was wanted.
+  /// Counts from `now`: time has passed in which no frame was wanted.
   void restart(Instant now) { due_ = now; }
   [[nodiscard]] std::uint64_t late() const { return late_; }
 

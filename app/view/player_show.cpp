@@ -1,0 +1,129 @@
+// What a player shows.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "carom/report.hpp"
+#include "view/help_panel.hpp"
+#include "view/panel.hpp"
+#include "view/player.hpp"
+#include "view/status.hpp"
+
+namespace carom {
+namespace {
+
+constexpr std::chrono::milliseconds kEnergyEvery{500};
+constexpr double kFallsBehind = 0.95;  // of the speed wanted; below, the status says so
+constexpr int kLeastColumns = 20;
+constexpr int kLeastRows = 8;
+constexpr int kRowsForHints = 12;  // screens this high have a second line below
+
+}  // namespace
+
+int Player::lines_below(int rows) {
+  return rows >= kRowsForHints ? 2 : 1;
+}
+
+void Player::show() {
+  const UserInterface::Size size = interface_.size();
+  Canvas screen(size.columns, size.rows);
+  changed_ = false;
+  if (size.columns < kLeastColumns || size.rows < kLeastRows) {
+    screen.write(0, 0, "too small:", Ink::notice);
+    screen.write(0, 1, fmt::format("{}x{} is least", kLeastColumns, kLeastRows), Ink::notice);
+    interface_.show(screen);
+    return;
+  }
+  const int below = size.rows - lines_below(size.rows);
+  lay_over(picture(size.columns, below), 0, 0, screen);
+  paint_lines_below(screen, below);
+  interface_.show(screen);
+}
+
+Canvas Player::picture(int columns, int rows) {
+  Canvas picture(columns, rows);
+  paint(session_->simulation().frame(), picture, drawing_);
+  if (reference_) paint_reference(reference_->frame(), picture, drawing_);
+  if (cost_shown_) {
+    const Canvas panel = cost_panel(cost(), columns, rows, drawing_.glyphs);
+    lay_over(panel, columns - panel.columns, 0, picture);
+  }
+  if (help_page_ >= 0) {
+    // The screen may have grown since, and the help have fewer pages.
+    help_page_ = std::min(help_page_, help_pages(picture) - 1);
+    paint_help(picture, help_page_, drawing_.glyphs);
+  }
+  return picture;
+}
+
+/// The status and what keys do, or what one just did.
+void Player::paint_lines_below(Canvas& screen, int first) {
+  const Simulation& simulation = session_->simulation();
+  const Instant now = interface_.now();
+  const bool running = !session_->paused();
+  if (now >= energy_due_ || !running) {
+    energy_error_ = simulation.measure().relative_energy_error();
+    energy_due_ = now + kEnergyEvery;
+  }
+  if (now >= notice_until_ && running) notice_.clear();
+  if (running) {
+    meter_.record(now, simulation.time(), computing_);
+    ++frames_;
+  } else {
+    meter_.reset();
+  }
+  Status status;
+  status.scene = scene_.name.empty() ? "carom" : scene_.name;
+  status.balls = simulation.balls();
+  status.workers = simulation.workers();
+  status.time = simulation.time();
+  status.frames_per_second = meter_.frames_per_second();
+  status.computing_milliseconds = running ? meter_.computing_milliseconds() : 0;
+  status.energy_error = energy_error_;
+  if (piles_up_) status.note = std::string("overlap: ") + kPilesUp;
+  status.late = timer_.late();
+  status.speed = speed_;
+  status.paused = !running;
+  const auto pace = meter_.pace();
+  if (pace && *pace < kFallsBehind * speed_) status.pace = pace;
+
+  const bool two = screen.rows - first > 1;
+  if (two || notice_.empty())
+    screen.write(0, first, status_line(status, screen.columns), Ink::status);
+  const int last = screen.rows - 1;
+  if (!notice_.empty()) {
+    screen.write(0, last, ' ' + notice_, Ink::notice);
+  } else if (two) {
+    screen.write(0, last,
+                 hint_line(key_hints(screen.columns, !running, effect_keys(scene_.effects))),
+                 Ink::status);
+  }
+}
+
+Cost Player::cost() const {
+  const Simulation& simulation = session_->simulation();
+  const Measurements measured = simulation.measure();
+  Cost cost;
+  cost.method = method_name(simulation.method());
+  if (simulation.method() == Method::overlap || scene_.effects.attraction) {
+    cost.method += fmt::format(", step 1/{:.6g} s", 1 / simulation.step());
+  } else {
+    cost.method += fmt::format(", {} digits", session_->scene().solver.digits);
+  }
+  cost.milliseconds = meter_.computing_milliseconds();
+  cost.energy_error = measured.relative_energy_error();
+  cost.max_overlap = measured.max_overlap;
+  if (!reference_) return cost;
+  cost.reference.emplace();
+  cost.reference->name = reference_->name();
+  cost.reference->milliseconds = std::chrono::duration<double, std::milli>(reference_cost_).count();
+  cost.reference->distance = reference_->distance();
+  const Frame frame = simulation.frame();
+  for (const FrameBall& ball : frame.balls) {
+    double& radius = cost.reference->radius;
+    radius = radius == 0 ? ball.radius : std::min(radius, ball.radius);
+  }
+  return cost;
+}
+
+}  // namespace carom
