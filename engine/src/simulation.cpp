@@ -133,7 +133,7 @@ class Simulation::Implementation {
     result.energy_final = solver_->energy();
     result.energy_input = energy_input_;
     result.energy_dissipated = std::max(0.0, solver_->dissipated() - dissipated_before_);
-    result.energy_largest = std::max(energy_largest_, std::abs(result.energy_final));
+    result.energy_largest = energy_largest_;
     result.momentum_initial = momentum_initial_;
     result.momentum_final = solver_->momentum();
     result.phases = crew_.seconds();
@@ -168,6 +168,7 @@ class Simulation::Implementation {
     ids_ = numbering.ids;
     next_id_ = numbering.next_id;
     record_ = ImpactRecord(numbering.next_event);
+    energy_largest_ = 0;  // the energy at which it goes on is no new look
   }
 
   Crew& crew() { return crew_; }
