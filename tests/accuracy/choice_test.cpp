@@ -44,6 +44,14 @@ TEST(Choice, TimesThatCannotBeToldApartGoToFewerDigits) {
   EXPECT_EQ(best_choices(study), (std::vector<bool>{false, true}));
 }
 
+TEST(Choice, OfTiesWithAsFewDigitsTheCheapestIsNamed) {
+  AccuracyStudy study;
+  study.rows = {row(1.2, 0), row(1.1, 0), row(1, 0)};
+  for (AccuracyRow& each : study.rows) each.quartiles = {0.9, 1.3};
+  study.rows[2].digits = 34;
+  EXPECT_EQ(cheapest_within(study, 1e-9), 1U);
+}
+
 TEST(Choice, WhereEveryRunIsLostTheyAreJudgedByHowLongTheyWereNot) {
   AccuracyStudy study;
   study.rows = {row(1, 5), row(2, 3), row(3, 7)};

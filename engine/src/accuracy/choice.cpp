@@ -91,7 +91,10 @@ std::optional<std::size_t> cheapest_within(const AccuracyStudy& study, double ta
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const AccuracyRow& row = study.rows[i];
     if (!meets(row, target)) continue;
-    if (row.digits < study.rows[*best].digits && takes_as_long(row, cheapest)) best = i;
+    const AccuracyRow& known = study.rows[*best];
+    const bool better =
+        row.digits < known.digits || (row.digits == known.digits && row.seconds < known.seconds);
+    if (better && takes_as_long(row, cheapest)) best = i;
   }
   return best;
 }
