@@ -62,8 +62,8 @@ void for_each_number(M& m, Visit visit) {
   visit(m.missed_hits);
   visit(m.energy_initial);
   visit(m.energy_input);
-  if constexpr (requires { m.energy_dissipated; }) visit(m.energy_dissipated);
-  if constexpr (requires { m.energy_largest; }) visit(m.energy_largest);
+  visit(m.energy_dissipated);
+  visit(m.energy_largest);
   visit(m.momentum_initial.x());
   visit(m.momentum_initial.y());
   visit(m.max_overlap);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "accuracy/nonnegative_least_squares.hpp"
+#include "accuracy/places.hpp"
 
 namespace carom::accuracy {
 namespace {
@@ -67,9 +68,7 @@ class Contacts {
     for (std::size_t i = 0; i < balls_.size(); ++i) {
       for (std::size_t j = i + 1; j < balls_.size(); ++j) {
         if (balls_[i].fixed && balls_[j].fixed) continue;
-        Vec2 r = balls_[j].position - balls_[i].position;
-        if (box_.periodic[0]) r = {r.x() - box_.width * std::rint(r.x() / box_.width), r.y()};
-        if (box_.periodic[1]) r = {r.x(), r.y() - box_.height * std::rint(r.y() / box_.height)};
+        const Vec2 r = shorter_way(balls_[j].position - balls_[i].position, box_);
         const double touch = balls_[i].radius + balls_[j].radius;
         const double far = touch + kContact * std::min(balls_[i].radius, balls_[j].radius);
         if (std::abs(r.x()) >= far || std::abs(r.y()) >= far) continue;

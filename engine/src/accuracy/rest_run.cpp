@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "accuracy/equilibrium.hpp"
+#include "accuracy/places.hpp"
 
 namespace carom::accuracy {
 namespace {
@@ -52,11 +53,8 @@ double farthest_move(const std::vector<Ball>& from, const std::vector<Ball>& to,
   double farthest = 0;
   if (from.size() != to.size()) return farthest;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    double dx = to[i].position.x() - from[i].position.x();
-    double dy = to[i].position.y() - from[i].position.y();
-    if (box.periodic[0]) dx -= box.width * std::rint(dx / box.width);
-    if (box.periodic[1]) dy -= box.height * std::rint(dy / box.height);
-    farthest = std::max(farthest, std::hypot(dx, dy) / to[i].radius);
+    const Vec2 moved = shorter_way(to[i].position - from[i].position, box);
+    farthest = std::max(farthest, std::hypot(moved.x(), moved.y()) / to[i].radius);
   }
   return farthest;
 }

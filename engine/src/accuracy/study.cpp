@@ -175,6 +175,11 @@ class Study {
     study_.averages = average(way, crews_.front(), 0, foreseen(0));
   }
 
+  [[nodiscard]] bool is_reference_of_averages(const Way& way) const {
+    return way.method == Method::event && !way.step && !truth_.reference.step &&
+           way.digits == study_.average_digits;
+  }
+
   /// Whether runs of so many seconds are done from all starts.
   [[nodiscard]] bool is_averaged(double run) const {
     return run * static_cast<double>(starts_.size()) <= kAveragedLimits * request_.share;
@@ -212,7 +217,10 @@ class Study {
       loss = assess(row, scenario_, samples_, truth_, radius_, stopped);
       time_runs(row, scenario_, planned.crew, request_.share, stopped);
       if (!study_.observables.empty() && is_averaged(row.seconds)) {
-        row.averages = average(planned.way, planned.crew, at_ + 1, later);
+        // The reference's averages are those of this run, where it has as many digits.
+        row.averages = is_reference_of_averages(planned.way)
+                           ? study_.averages
+                           : average(planned.way, planned.crew, at_ + 1, later);
       }
     } catch (const StopAsked&) {
       throw;
