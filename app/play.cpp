@@ -1,13 +1,21 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <memory>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
+#include "carom/scene_file.hpp"
 #include "commands.hpp"
+#include "export/output_file.hpp"
+#include "export/unfinished_files.hpp"
 #include "load_scene.hpp"
+#include "one_file.hpp"
 #include "standard_streams.hpp"
 #include "view/player.hpp"
+#include "view/recorder.hpp"
 #include "view/signals.hpp"
 #include "view/terminal_info.hpp"
 #include "view/terminal_screen.hpp"
@@ -24,8 +32,9 @@ bool colors_wanted(const Options& options) {
   return !options.no_color && (refused == nullptr || *refused == '\0');
 }
 
-Settings settings_of(const Options& options) {
+Settings settings_of(const Options& options, Palette palette) {
   Settings settings;
+  settings.palette = palette;
   settings.glyphs = glyphs_named(options.glyphs).value_or(settings.glyphs);
   settings.frames_per_second = static_cast<int>(options.fps);
   return settings;
@@ -36,6 +45,35 @@ void require_terminal() {
        {std::pair(STDIN_FILENO, "standard input"), {STDOUT_FILENO, "standard output"}}) {
     if (isatty(descriptor) == 0)
       throw UsageError(std::string("play needs a terminal, and ") + name + " is none" + kInstead);
+  }
+}
+
+/// The screen is standard output.
+void refuse_the_screen(const char* option, const std::string& file) {
+  if (!is_standard_output(file)) return;
+  throw UsageError(std::string(option) + ": must be a file: standard output is the screen");
+}
+
+/// The files that are written in the end, opened before anything is shown.
+struct Outputs {
+  explicit Outputs(const Options& options, Palette palette) : log("--log", options.log) {
+    if (!options.record.empty())
+      record = std::make_unique<Recorder>("--record", options.record, palette);
+  }
+
+  OutputFile log;
+  std::unique_ptr<Recorder> record;
+};
+
+std::unique_ptr<Outputs> open_outputs(const Options& options, Palette palette) {
+  refuse_the_screen("--record", options.record);
+  refuse_the_screen("--log", options.log);
+  refuse_one_file_for_two({{"--record", options.record}, {"--log", options.log}});
+  unfinished_files::remove_on_signals();
+  try {
+    return std::make_unique<Outputs>(options, palette);
+  } catch (const std::system_error& error) {
+    throw UsageError(error.what());
   }
 }
 
@@ -53,18 +91,27 @@ int play(const Options& options) {
     throw UsageError("play needs a terminal, and " + info.problem + kInstead);
   if (!info.remark.empty()) print_error("carom: " + info.remark + '\n');
 
+  TerminalScreen::Options how;
+  how.colors = colors_wanted(options);
+  const Palette palette(how.colors ? info.colors : Colors::none, how.background);
+
   Signals signals;  // before any worker starts
+  const std::unique_ptr<Outputs> outputs = open_outputs(options, palette);
   std::string summary;
+  std::string error;
   int signal = 0;
   {
-    TerminalScreen::Options how;
-    how.colors = colors_wanted(options);
     TerminalScreen screen(signals, info, how);
-    Player player(scene, screen, settings_of(options));
+    Player player(scene, screen, settings_of(options, palette));
+    player.record(std::move(outputs->record));
     signal = player.play();
     summary = player.summary();
+    error = player.recording_error();
+    if (outputs->log) outputs->log.write(write_scene(player.session().log()));
   }
+  outputs->log.commit();
   if (signal != SIGHUP) print("carom: " + summary + '\n');
+  if (!error.empty()) throw std::runtime_error(error);
   return signal == 0 ? 0 : kEndedBySignal + signal;
 }
 

@@ -36,7 +36,7 @@ Player::Player(Scene scene, UserInterface& interface, const Settings& settings)
 }
 
 int Player::play() {
-  interface_.set_title("carom: " + (scene_.name.empty() ? "a scene" : scene_.name));
+  interface_.set_title(title());
   timer_.restart(interface_.now());
   energy_due_ = interface_.now();
   show();
@@ -57,7 +57,12 @@ int Player::play() {
     }
     timer_.shown(interface_.now());
   }
+  finish_recording();
   return signal_;
+}
+
+std::string Player::title() const {
+  return "carom: " + (scene_.name.empty() ? "a scene" : scene_.name);
 }
 
 bool Player::idle() const {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "carom/session.hpp"
 #include "view/cost_panel.hpp"
@@ -11,6 +13,7 @@
 #include "view/meter.hpp"
 #include "view/paint.hpp"
 #include "view/presses.hpp"
+#include "view/recorder.hpp"
 #include "view/reference_run.hpp"
 #include "view/settings.hpp"
 #include "view/user_interface.hpp"
@@ -31,12 +34,16 @@ class Player {
  public:
   Player(Scene scene, UserInterface& interface, const Settings& settings = {});
 
+  /// Writes what is shown from now on; before `play`.
+  void record(std::unique_ptr<Recorder> recorder) { recorder_ = std::move(recorder); }
   /// Plays until somebody quits.  Gives 0, or the number of the signal that ended it.
   int play();
 
   /// The run in one line.
   [[nodiscard]] std::string summary() const;
   [[nodiscard]] const Session& session() const { return *session_; }
+  /// Why the recording failed; empty: it did not.
+  [[nodiscard]] const std::string& recording_error() const { return recording_error_; }
 
  private:
   // The loop.
@@ -69,6 +76,9 @@ class Player {
   // What is shown.
   static int lines_below(int rows);  ///< of a screen: for the status and for keys
   void show();
+  void put_on_screen(const Canvas& screen);
+  void finish_recording();
+  [[nodiscard]] std::string title() const;
   [[nodiscard]] Canvas picture(int columns, int rows);
   void paint_lines_below(Canvas& screen, int first);
   [[nodiscard]] Cost cost() const;
@@ -93,6 +103,9 @@ class Player {
   bool cost_shown_ = false;
   std::optional<ReferenceRun> reference_;
   std::chrono::duration<double> reference_cost_{0};  // of a frame, smoothed
+
+  std::unique_ptr<Recorder> recorder_;
+  std::string recording_error_;
 
   bool piles_up_;  // overlap by default, for so many balls can pile up
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 
 #include "carom/report.hpp"
 #include "view/help_panel.hpp"
@@ -31,13 +32,34 @@ void Player::show() {
   if (size.columns < kLeastColumns || size.rows < kLeastRows) {
     screen.write(0, 0, "too small:", Ink::notice);
     screen.write(0, 1, fmt::format("{}x{} is least", kLeastColumns, kLeastRows), Ink::notice);
-    interface_.show(screen);
-    return;
+    return put_on_screen(screen);
   }
   const int below = size.rows - lines_below(size.rows);
   lay_over(picture(size.columns, below), 0, 0, screen);
   paint_lines_below(screen, below);
+  put_on_screen(screen);
+}
+
+void Player::put_on_screen(const Canvas& screen) {
   interface_.show(screen);
+  if (!recorder_) return;
+  try {
+    recorder_->picture(interface_.now(), screen, title());
+  } catch (const std::system_error& error) {
+    recording_error_ = error.what();
+    recorder_.reset();
+    say("the recording has ended: " + recording_error_);
+  }
+}
+
+void Player::finish_recording() {
+  if (!recorder_) return;
+  try {
+    recorder_->finish(interface_.now());
+  } catch (const std::system_error& error) {
+    recording_error_ = error.what();
+  }
+  recorder_.reset();
 }
 
 Canvas Player::picture(int columns, int rows) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "view/glyphs.hpp"
+#include "view/palette.hpp"
 
 namespace carom {
 
@@ -11,6 +12,7 @@ struct Settings {
 
   Glyphs glyphs = Glyphs::ascii;
   int frames_per_second = 30;
+  Palette palette{Colors::none, Background::any};  ///< of recordings: that of the terminal
 };
 
 }  // namespace carom

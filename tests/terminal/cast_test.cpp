@@ -1,54 +1,18 @@
 // A cast that a run writes shows what its dump shows.
 #include <gtest/gtest.h>
-#include <vterm.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
+#include "shown.hpp"
 #include "support/process.hpp"
 
 namespace carom {
 namespace {
 
 using Json = nlohmann::json;
-
-/// A terminal without a program: what it shows of bytes that come.
-class Shown {
- public:
-  Shown(int columns, int rows)
-      : columns_(columns), rows_(rows), terminal_(vterm_new(rows, columns)) {
-    vterm_set_utf8(terminal_, 1);
-    screen_ = vterm_obtain_screen(terminal_);
-    vterm_screen_reset(screen_, 1);
-  }
-  ~Shown() { vterm_free(terminal_); }
-  Shown(const Shown&) = delete;
-  Shown& operator=(const Shown&) = delete;
-
-  void write(const std::string& bytes) { vterm_input_write(terminal_, bytes.data(), bytes.size()); }
-  [[nodiscard]] std::string text() const {
-    std::string all;
-    for (int row = 0; row < rows_; ++row) {
-      std::string line;
-      for (int column = 0; column < columns_; ++column) {
-        VTermScreenCell cell;
-        vterm_screen_get_cell(screen_, {row, column}, &cell);
-        line += cell.chars[0] == 0 ? ' ' : static_cast<char>(cell.chars[0]);
-      }
-      line.erase(line.find_last_not_of(' ') + 1);
-      all += line + '\n';
-    }
-    return all;
-  }
-
- private:
-  int columns_;
-  int rows_;
-  VTerm* terminal_;
-  VTermScreen* screen_ = nullptr;
-};
 
 TEST(Cast, ReplayedShowsTheFramesOfTheDump) {
   const support::TemporaryFolder folder;

@@ -200,6 +200,29 @@ TEST(Player, ChangesTheSpeedByTwo) {
   EXPECT_NE(player.summary().find("one: 6.0"), std::string::npos) << player.summary();
 }
 
+TEST(Player, ARunOfItsLogEndsInTheSameBits) {
+  for (const Method method : {Method::event, Method::overlap}) {
+    Scene scene = one_ball();
+    scene.solver.method = method;
+    scene.effects.collisions.emplace();
+    scene.effects.gravity.emplace().acceleration = {0, -1};
+    scene.script = {{0.4, command::Remove{}}, {0.6, command::Pause{}}, {0.7, command::Resume{}}};
+    Stage stage;
+    stage.keys(0.21, "aA");
+    stage.keys(0.5, "g[+");
+    stage.keys(0.91, "p...xap-]");
+    stage.keys(1.3, "w");
+    stage.key(1.77, 'q');
+    Player player(scene, stage);
+    player.play();
+    const Scene log = parse_scene(write_scene(player.session().log()), "log");
+    EXPECT_GE(log.script.size(), 15U);
+    Session session(log);
+    session.advance_clock_to(log.duration);
+    EXPECT_EQ(session.simulation().state_hash(), player.session().simulation().state_hash());
+  }
+}
+
 TEST(Player, RestartsFromTheBeginning) {
   Stage stage;
   stage.key(1, 'r');
