@@ -5,6 +5,7 @@
 
 #include "carom/scene_file.hpp"
 #include "commands.hpp"
+#include "commit.hpp"
 #include "options.hpp"
 #include "standard_streams.hpp"
 
@@ -44,7 +45,8 @@ int say(const std::exception& error, int status) {
 int main(int argc, char** argv) {
   carom::hold_standard_streams();
   try {
-    return obey(carom::parse_options(std::vector<std::string>(argv + 1, argv + argc)));
+    return obey(
+        carom::parse_options(std::vector<std::string>(argv + 1, argv + argc), carom::commit()));
   } catch (const carom::UsageError& error) {
     return say(error, 2);
   } catch (const carom::SceneError& error) {

@@ -62,7 +62,10 @@ std::string offer(std::string_view unknown, const std::vector<std::string>& know
 /// The command line as CLI11 parses it.
 class Parser {
  public:
-  Parser() : app_(kAbout, "carom") {
+  explicit Parser(const std::string& commit)
+      : app_(kAbout, "carom"),
+        version_(fmt::format("carom {}{}", version(),
+                             commit.empty() ? "" : fmt::format(" (commit {})", commit))) {
     app_.allow_extras();
     app_.require_subcommand(0, 1);
     app_.formatter(std::make_shared<HelpText>());
@@ -117,8 +120,7 @@ class Parser {
       }
     }
     app.set_help_flag("-h,--help", "print this help")->group(kCommon);
-    app.set_version_flag("--version", fmt::format("carom {}", version()), "print the version")
-        ->group(kCommon);
+    app.set_version_flag("--version", version_, "print the version and the commit")->group(kCommon);
   }
 
   CLI::Option& add_option(CLI::App& app, const OptionRow& row) {
@@ -259,6 +261,7 @@ class Parser {
   }
 
   CLI::App app_;
+  std::string version_;  // what --version prints
   Options options_;
   std::vector<std::string> loose_;  // words before or without a command
   std::vector<std::string> words_;  // words after it
@@ -266,8 +269,8 @@ class Parser {
 
 }  // namespace
 
-Options parse_options(const std::vector<std::string>& arguments) {
-  return Parser().parse(arguments);
+Options parse_options(const std::vector<std::string>& arguments, const std::string& commit) {
+  return Parser(commit).parse(arguments);
 }
 
 }  // namespace carom

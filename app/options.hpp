@@ -85,8 +85,8 @@ struct Options {
   bool retry = false;
 };
 
-/// Reads the arguments, without the program's name.
+/// Reads the arguments, without the program's name; `commit` is printed with the version.
 /// Errors: UsageError.
-Options parse_options(const std::vector<std::string>& arguments);
+Options parse_options(const std::vector<std::string>& arguments, const std::string& commit = "");
 
 }  // namespace carom

@@ -22,6 +22,9 @@ libvterm-dev       header:vterm.h
 mandoc             tool:mandoc
 valgrind           tool:valgrind
 clang-format-14    tool:clang-format-14
+pkgconf            tool:pkg-config
+zsh                tool:zsh
+fish               tool:fish
 '
 
 build_folder=build/release

@@ -12,26 +12,19 @@
 #include "carom/scene_file.hpp"
 #include "impact_record.hpp"
 #include "scene/available.hpp"
-#include "solvers/event/event_solver.hpp"
-#include "solvers/integrated/integrated_solver.hpp"
-#include "solvers/overlap.hpp"
+#include "solvers/make_solver.hpp"
 #include "state/domain.hpp"
 
 namespace carom {
 namespace {
 
-std::unique_ptr<Solver> make_solver(const Scene& scene, const std::vector<Ball>& balls) {
+std::unique_ptr<Solver> make_checked(const Scene& scene, const std::vector<Ball>& balls) {
   const Method method = choose_method(scene).method;
   std::vector<Problem> problems = scene::find_unavailable(scene, method);
   if (!problems.empty()) {
     throw SceneError(scene.name.empty() ? "scene" : scene.name, std::move(problems));
   }
-  if (method == Method::event) {
-    // Attraction leaves no closed-form flight: it is integrated.
-    if (scene.effects.attraction) return std::make_unique<IntegratedSolver>(scene, balls);
-    return std::make_unique<EventSolver>(scene, balls);
-  }
-  return std::make_unique<OverlapSolver>(scene, balls);
+  return make_solver(scene, balls, method);
 }
 
 }  // namespace
@@ -43,7 +36,7 @@ class Simulation::Implementation {
   Implementation(const Scene& scene, const std::vector<Ball>& balls)
       : scene_(scene),
         method_(choose_method(scene).method),
-        solver_(make_solver(scene, balls)),
+        solver_(make_checked(scene, balls)),
         moving_(count_moving(balls)),
         // What starts with a thread for each ball keeps one for each ball.
         per_ball_(scene.played && !scene.workers &&

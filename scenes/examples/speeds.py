@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The speeds of a gas against Maxwell, from a trajectory.
 
     carom run gas --trajectory gas.xyz --every 10

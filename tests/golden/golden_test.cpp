@@ -35,7 +35,8 @@ std::string masked(std::string text) {
       std::pair{std::regex("\"(wall_seconds|seconds)\": [-+0-9.e]+"), "\"$1\": *"},
       std::pair{std::regex("\"state_hash\": \"[0-9a-f]+\""), "\"state_hash\": \"*\""},
       std::pair{std::regex("\"version\": \"[0-9.]+\""), "\"version\": \"*\""},
-      std::pair{std::regex("carom [0-9]+\\.[0-9]+\\.[0-9]+\n"), "carom *\n"},
+      std::pair{std::regex("carom [0-9]+\\.[0-9]+\\.[0-9]+( \\(commit [0-9a-f]+\\))?\n"),
+                "carom *\n"},
   };
   for (const auto& [pattern, replacement] : kRules) {
     text = std::regex_replace(text, pattern, replacement);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 #include <set>
 
 #include "support/process.hpp"
@@ -31,12 +32,23 @@ support::Outcome run_tool(const std::string& command, const std::vector<std::str
 TEST(Tree, TheTopHoldsNothingBesidesWhatBelongsThere) {
   const std::set<std::string> belongs{
       "CMakeLists.txt", "app", "engine", "tests", "scenes", "man", "README.md", "LICENSE",
-      ".gitignore", "CHANGELOG.md", ".ci", ".clang-tidy", "CMakePresets.json", ".clang-format",
+      "CITATION.cff", ".gitignore", "CHANGELOG.md", ".ci", ".github", ".clang-tidy",
+      "CMakePresets.json", ".clang-format",
       // A checkout's own: the history, and what .gitignore leaves out.
       ".git", "build"};
   for (const std::string& name : support::names_in(kTop)) {
     EXPECT_TRUE(belongs.contains(name)) << name;
   }
+}
+
+TEST(Tree, TheVersionIsTheSameEverywhere) {
+  const std::string build = support::read_file(kTop / "CMakeLists.txt");
+  std::smatch version;
+  ASSERT_TRUE(std::regex_search(build, version, std::regex("project\\(carom VERSION ([0-9.]+)")));
+  const std::string citation = support::read_file(kTop / "CITATION.cff");
+  EXPECT_NE(citation.find("\nversion: " + version[1].str() + "\n"), std::string::npos);
+  const std::string changes = support::read_file(kTop / "CHANGELOG.md");
+  EXPECT_NE(changes.find("\n## " + version[1].str()), std::string::npos);
 }
 
 TEST(Tree, ClangFormatHasNothingToChange) {

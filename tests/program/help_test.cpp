@@ -153,8 +153,9 @@ TEST(Help, FitsEightyColumns) {
 }
 
 TEST(Help, TheVersionIsOneLine) {
-  EXPECT_TRUE(std::regex_match(support::run({CAROM_PROGRAM, "--version"}).out,
-                               std::regex("carom [0-9]+\\.[0-9]+\\.[0-9]+\n")));
+  EXPECT_TRUE(
+      std::regex_match(support::run({CAROM_PROGRAM, "--version"}).out,
+                       std::regex("carom [0-9]+\\.[0-9]+\\.[0-9]+( \\(commit [0-9a-f]+\\))?\n")));
   EXPECT_EQ(help({"run", "--version"}), help({"--version"}));
 }
 
