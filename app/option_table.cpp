@@ -1,6 +1,5 @@
 #include "option_table.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "values.hpp"
@@ -26,7 +25,7 @@ std::vector<OptionRow> make_options() {
   const std::vector<C> run{C::run};
   const std::vector<C> accuracy{C::accuracy};
   const std::vector<C> verify_only{C::verify};
-  std::vector<OptionRow> rows{
+  return {
       // Of every command; the order is that of the help.
       {every, "--method", "METHOD", "how the motion is computed:", method()},
       {every, "--step", "SECONDS", "length of a time step; default: the scene's, else 1/240",
@@ -123,7 +122,7 @@ std::vector<OptionRow> make_options() {
        "how the balls are drawn:", choice(&Options::glyphs, {"ascii", "blocks", "braille"})},
       {play, "--fps", "N", "frames drawn per second, from 1 to 120; default: 30",
        whole_number(&Options::fps, 1, 120)},
-      {play, "--no-mouse", "", "leave the mouse to the terminal", flag(&Options::no_mouse), false},
+      {play, "--no-mouse", "", "leave the mouse to the terminal", flag(&Options::no_mouse)},
       {accuracy, "--seeds", "K",
        "starts of a scene that comes to rest, or that is averaged; default: 8",
        whole_number(&Options::seeds, 1, 1000)},
@@ -131,10 +130,6 @@ std::vector<OptionRow> make_options() {
        choices(&Options::observables,
                {"Z", "pressure", "temperature", "collision_rate", "mean_free_path"})},
   };
-  rows.erase(
-      std::remove_if(rows.begin(), rows.end(), [](const OptionRow& row) { return !row.ready; }),
-      rows.end());
-  return rows;
 }
 
 std::array<CommandRow, 8> make_commands() {

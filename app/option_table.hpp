@@ -31,7 +31,6 @@ struct OptionRow {
   std::string value;                       ///< as in "SECONDS"; empty for a flag
   std::string purpose;                     ///< one line of help
   Rule rule;
-  bool ready = true;  ///< what is not implemented is neither parsed nor in the help
 };
 
 /// A command of the program.

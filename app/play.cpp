@@ -93,6 +93,7 @@ int play(const Options& options) {
 
   TerminalScreen::Options how;
   how.colors = colors_wanted(options);
+  how.mouse = !options.no_mouse;
   const Palette palette(how.colors ? info.colors : Colors::none, how.background);
 
   Signals signals;  // before any worker starts

@@ -13,6 +13,7 @@ constexpr std::size_t kLongestSequence = 4096;  // longer ones are no sequences
 
 // Buttons of mouse reports: two bits, and flags.
 constexpr unsigned kButton = 3;
+constexpr unsigned kShift = 4;
 constexpr unsigned kMotion = 32;
 constexpr unsigned kWheel = 64;
 constexpr unsigned kOtherButtons = 128;
@@ -164,7 +165,8 @@ void Input::report_mouse(std::string_view parameters, char last) {
   }
   if (last != 'M' && last != 'm') return;
   const auto code = static_cast<unsigned>(numbers[0]);
-  if ((code & kOtherButtons) != 0) return;
+  // With shift the mouse is the terminal's, to select text.
+  if ((code & (kOtherButtons | kShift)) != 0) return;
   Mouse mouse;
   mouse.column = numbers[1] - 1;
   mouse.row = numbers[2] - 1;

@@ -54,6 +54,20 @@ std::vector<KeyHint> key_hints(int width, bool paused, std::string_view effects)
   return result;
 }
 
+int key_of_hint(const std::vector<KeyHint>& hints, int column) {
+  for (const KeyHint& hint : hints) {
+    const int within = column - hint.column;
+    if (within < 0 || within >= static_cast<int>(hint.text.size())) continue;
+    // Several keys before the colon: the one that was clicked.
+    const auto colon = hint.text.find(':', 1);
+    const bool several = hint.key == 0 || hint.text.starts_with("+-");
+    if (!several) return hint.key;
+    return static_cast<std::size_t>(within) < colon ? hint.text[static_cast<std::size_t>(within)]
+                                                    : hint.key;
+  }
+  return 0;
+}
+
 std::string hint_line(const std::vector<KeyHint>& hints) {
   std::string line;
   for (const KeyHint& hint : hints) line += ' ' + hint.text;

@@ -24,6 +24,13 @@ inline constexpr std::array kKeyHelp = std::to_array<KeyHelp>({
     {"Balls", "a", "add a ball at a free place"},
     {"Balls", "A", "add ten balls"},
     {"Balls", "x", "remove the newest ball"},
+    {"Balls", "click", "add a ball, or select one"},
+    {"Balls", "drag", "throw a new ball"},
+    {"Selected", "n", "select the next ball"},
+    {"Selected", "F", "follow it, let it go"},
+    {"Selected", "X", "remove it"},
+    {"Selected", "* /", "twice, half its mass"},
+    {"Selected", "Esc", "select none"},
     {"Effects", "w", "walls off and on"},
     {"Effects", "c", "collisions off and on"},
     {"Effects", "g", "gravity off and on"},
@@ -32,6 +39,7 @@ inline constexpr std::array kKeyHelp = std::to_array<KeyHelp>({
     {"Effects", "t", "attraction off and on"},
     {"View", "b", "next kind of glyphs"},
     {"View", "< >", "zoom out, zoom in"},
+    {"View", "wheel", "zoom at the pointer"},
     {"View", "arrows", "move the view"},
     {"View", "0", "the whole box"},
     {"Computing", "[ ]", "halve, double the time step"},
@@ -71,6 +79,8 @@ struct KeyHint {
 /// The keys that do something now, each with a word, as many as fit into `width` characters; the
 /// way to the help and out stays longest.  `effects` are the keys of the effects there are.
 std::vector<KeyHint> key_hints(int width, bool paused, std::string_view effects);
+/// The key that a click on this column of the line of hints presses; 0: none.
+int key_of_hint(const std::vector<KeyHint>& hints, int column);
 /// The hints as they stand in their line.
 std::string hint_line(const std::vector<KeyHint>& hints);
 

@@ -133,6 +133,8 @@ void Player::act() {
       press(first.event.value, times);
     } else if (first.event.kind == Event::Kind::pasted) {
       say("pasted text is ignored");
+    } else if (first.event.kind == Event::Kind::mouse) {
+      use_mouse(first.event.mouse);
     }
     changed_ = true;
   } while (!quit_ && interface_.now() < limit);
@@ -170,6 +172,7 @@ void Player::compute() {
     }
     if (moves) slice_cost_ = std::max(0.9 * slice_cost_, Real(now - then).count() / slice);
   }
+  look_ahead();
   reference_cost_ = kSmooth * reference_cost_ + (1 - kSmooth) * beside;
   changed_ = changed_ || moves;
 }

@@ -7,14 +7,17 @@
 #include <utility>
 
 #include "carom/session.hpp"
+#include "view/aim.hpp"
 #include "view/cost_panel.hpp"
 #include "view/frame_timer.hpp"
 #include "view/keys.hpp"
 #include "view/meter.hpp"
+#include "view/next_event.hpp"
 #include "view/paint.hpp"
 #include "view/presses.hpp"
 #include "view/recorder.hpp"
 #include "view/reference_run.hpp"
+#include "view/selection_panel.hpp"
 #include "view/settings.hpp"
 #include "view/user_interface.hpp"
 
@@ -73,8 +76,25 @@ class Player {
   void move_view(double columns, double rows);
   void restart();
 
+  // What the mouse does.
+  void use_mouse(const Mouse& mouse);
+  void press_button(int column, int row);
+  void throw_ball();
+  [[nodiscard]] Camera camera() const;  ///< of the balls, as they are shown
+
+  // The selected ball.
+  bool press_for_selected(int key, int times);
+  void select(std::optional<std::size_t> ball);  ///< by its place in the state
+  void select_next(int times);
+  [[nodiscard]] std::optional<std::size_t> selected_place() const;
+  [[nodiscard]] SelectedBall selected_ball(std::size_t place) const;
+  void look_ahead();
+  void follow_selected();
+  void paint_selected(Canvas& picture) const;
+
   // What is shown.
-  static int lines_below(int rows);  ///< of a screen: for the status and for keys
+  [[nodiscard]] UserInterface::Size box_size() const;  ///< of the part with the balls
+  static int lines_below(int rows);                    ///< of a screen: for the status and for keys
   void show();
   void put_on_screen(const Canvas& screen);
   void finish_recording();
@@ -103,6 +123,11 @@ class Player {
   bool cost_shown_ = false;
   std::optional<ReferenceRun> reference_;
   std::chrono::duration<double> reference_cost_{0};  // of a frame, smoothed
+
+  std::optional<Aim> aim_;               // the button is down
+  std::optional<std::size_t> selected_;  // the number that it keeps, as of Simulation::ids
+  bool followed_ = false;
+  NextEvent next_event_;
 
   std::unique_ptr<Recorder> recorder_;
   std::string recording_error_;

@@ -30,6 +30,7 @@ double power(double base, int times) {
 
 void Player::press(int key, int times) {
   if (help_page_ >= 0 && press_in_help(key, times)) return;
+  if (press_for_selected(key, times)) return;
   const bool odd = times % 2 != 0;
   switch (key) {
     case ' ':
@@ -72,6 +73,7 @@ void Player::press(int key, int times) {
       return zoom(power(kZoom, times));
     case '0':
       drawing_.viewpoint = {};
+      followed_ = false;
       return say("the whole box");
     case key::kLeft:
       return move_view(-kPart * times, 0);
@@ -209,7 +211,9 @@ void Player::change_method() {
     return say(fmt::format("method {} stays: {}", method_name(simulation.method()), why_not));
   }
   const Effects when_on = session_->effects_when_on();
+  const std::optional<std::size_t> selected = selected_place();
   session_.emplace(std::move(scene));
+  selected_ = selected;
   session_->set_effects_when_on(when_on);
   scene_.solver.digits = session_->scene().solver.digits;
   scene_.solver.method = method;
@@ -266,6 +270,7 @@ void Player::zoom(double factor) {
 
 void Player::move_view(double columns, double rows) {
   Viewpoint& view = drawing_.viewpoint;
+  followed_ = false;
   if (view.zoom == Viewpoint::kFarthest) return say("zoom in first: >");
   view.x = std::clamp(view.x + columns / view.zoom, 0.0, 1.0);
   view.y = std::clamp(view.y + rows / view.zoom, 0.0, 1.0);
@@ -274,6 +279,7 @@ void Player::move_view(double columns, double rows) {
 void Player::restart() {
   const bool compared = reference_.has_value();
   reference_.reset();
+  select({});
   session_.reset();  // its threads end before as many start again
   session_.emplace(scene_);
   added_ = 0;

@@ -62,14 +62,21 @@ void Player::finish_recording() {
   recorder_.reset();
 }
 
+UserInterface::Size Player::box_size() const {
+  const UserInterface::Size size = interface_.size();
+  return {size.columns, size.rows - lines_below(size.rows)};
+}
+
 Canvas Player::picture(int columns, int rows) {
   Canvas picture(columns, rows);
+  follow_selected();
   paint(session_->simulation().frame(), picture, drawing_);
   if (reference_) paint_reference(reference_->frame(), picture, drawing_);
   if (cost_shown_) {
     const Canvas panel = cost_panel(cost(), columns, rows, drawing_.glyphs);
     lay_over(panel, columns - panel.columns, 0, picture);
   }
+  paint_selected(picture);
   if (help_page_ >= 0) {
     // The screen may have grown since, and the help have fewer pages.
     help_page_ = std::min(help_page_, help_pages(picture) - 1);

@@ -33,6 +33,10 @@ double typical_speed(const std::vector<Ball>& balls, const Box& box) {
 
 }  // namespace
 
+Ball model_ball(const Session& session) {
+  return model(session.simulation().state(), session.scene().box);
+}
+
 std::optional<Ball> spawn(const Session& session, std::uint64_t number) {
   const std::vector<Ball> balls = session.simulation().state();
   Ball ball = model(balls, session.scene().box);
