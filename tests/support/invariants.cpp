@@ -80,8 +80,7 @@ Scene without_refused_lines(Scene scene) {
   }
 }
 
-// What is left out, and why: each belongs to the theory of contacts to come, or to the sums of
-// attraction, which are taken in the order of the balls.
+// What is left out, and why: each belongs to the theory of contacts to come.
 
 /// Runs that find no end to their impacts: exact balls that lose energy and gather.
 bool may_find_no_end(const Scene& scene) {
@@ -90,7 +89,7 @@ bool may_find_no_end(const Scene& scene) {
 }
 
 /// A step of overlap meets the walls of x before those of y, which shows where friction turns one
-/// impulse into the other.  With attraction the pulls along x and y are not rounded alike.
+/// impulse into the other.  With attraction the flights along x and y are not rounded alike.
 bool same_for_both_axes(const Scene& scene) {
   const bool corners = scene.solver.method == Method::overlap && scene.effects.friction;
   return !corners && !scene.effects.attraction;
@@ -99,9 +98,8 @@ bool same_for_both_axes(const Scene& scene) {
 /// Simultaneous impacts are resolved in the order of the balls, and overlap takes all impacts of a
 /// step as simultaneous.
 bool same_in_any_order(const Scene& scene, const Measurements& measured) {
-  const bool one_by_one = measured.joint_impacts == 0 &&
-                          (scene.solver.method == Method::event || !scene.effects.collisions);
-  return one_by_one && !scene.effects.attraction;
+  return measured.joint_impacts == 0 &&
+         (scene.solver.method == Method::event || !scene.effects.collisions);
 }
 
 class Trial {

@@ -29,6 +29,7 @@ void turn(Vec2& v, hard::Mirror mirror) {
 std::vector<std::size_t> ids_at_end(const Scene& scene, std::vector<std::size_t> ids) {
   std::size_t next = ids.size();
   for (const ScriptLine& line : scene.script) {
+    if (std::holds_alternative<command::Quit>(line.command)) break;
     if (std::holds_alternative<command::Add>(line.command)) ids.push_back(next++);
     if (const auto* remove = std::get_if<command::Remove>(&line.command)) {
       const std::size_t ball = remove->ball.value_or(ids.size() - 1);
@@ -42,6 +43,7 @@ std::vector<std::size_t> ids_at_end(const Scene& scene, std::vector<std::size_t>
 void rename_removed(Scene& scene, std::vector<std::size_t> ids, std::vector<std::size_t> others) {
   std::size_t next = ids.size();
   for (ScriptLine& line : scene.script) {
+    if (std::holds_alternative<command::Quit>(line.command)) break;
     if (std::holds_alternative<command::Add>(line.command)) {
       ids.push_back(next);
       others.push_back(next++);

@@ -2,12 +2,38 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <vector>
 
 namespace carom::effects {
 namespace {
 
 constexpr std::size_t kLanes = 16;  // balls whose sums run side by side
+
+using Lanes = std::array<double, kLanes>;
+
+/// A sum whose bits do not depend on the order of its terms.
+///
+/// Each term is cut at two fixed binary places into parts that add up without rounding.  The places
+/// follow from the largest term and the number of terms.  What is dropped is less than 2^-80 of the
+/// largest term for up to a million terms.
+/// Source: Demmel, Nguyen, IEEE Trans. Comput. 64 (2015) 2060.
+class OrderlessCuts {
+ public:
+  /// REQUIRES: `largest` is the largest magnitude of `count` terms, and finite.
+  OrderlessCuts(double largest, std::size_t count) {
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    const int sum = exponent + static_cast<int>(std::bit_width(count));
+    upper = std::ldexp(1.5, sum);
+    lower = std::ldexp(1.5, 2 * sum - exponent - 52);
+  }
+
+  // Adding one of these and taking it away again rounds to its last place.
+  double upper;
+  double lower;
+};
 
 template <bool kPeriodicX, bool kPeriodicY>
 void attract_lanes(Balls& balls, const Domain& domain, const Attraction& attraction,
@@ -19,18 +45,20 @@ void attract_lanes(Balls& balls, const Domain& domain, const Attraction& attract
   const std::size_t n = balls.size();
   const double softening = attraction.softening * attraction.softening;
   const double strength = attraction.strength;
-  std::array<double, kLanes> at_x{};
-  std::array<double, kLanes> at_y{};
+  std::vector<std::array<Lanes, 2>> terms(n);
   for (std::size_t start = begin; start < end; start += kLanes) {
     const std::size_t count = std::min(kLanes, end - start);
+    Lanes at_x{};
+    Lanes at_y{};
     for (std::size_t l = 0; l < kLanes; ++l) {
       at_x[l] = x[start + std::min(l, count - 1)];
       at_y[l] = y[start + std::min(l, count - 1)];
     }
-    alignas(64) std::array<double, kLanes> sum_x{};
-    alignas(64) std::array<double, kLanes> sum_y{};
+    Lanes largest{};
     for (std::size_t j = 0; j < n; ++j) {
       const double m = mass[j];
+      Lanes term_x{};
+      Lanes term_y{};
       for (std::size_t l = 0; l < kLanes; ++l) {
         double dx = x[j] - at_x[l];
         double dy = y[j] - at_y[l];
@@ -40,15 +68,41 @@ void attract_lanes(Balls& balls, const Domain& domain, const Attraction& attract
         const double part = strength / (square * std::sqrt(square));
         // A ball does not attract itself, nor one in its very place.
         const double weight = square > 0 ? part : 0;
-        sum_x[l] += m * (weight * dx);
-        sum_y[l] += m * (weight * dy);
+        term_x[l] = m * (weight * dx);
+        term_y[l] = m * (weight * dy);
+        const double size_x = std::abs(term_x[l]);
+        const double size_y = std::abs(term_y[l]);
+        const double size = size_x > size_y ? size_x : size_y;
+        largest[l] = size > largest[l] ? size : largest[l];
       }
+      terms[j] = {term_x, term_y};
+    }
+    Lanes upper{};
+    Lanes lower{};
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const OrderlessCuts cuts(largest[l], n);
+      upper[l] = cuts.upper;
+      lower[l] = cuts.lower;
+    }
+    std::array<Lanes, 2> sums{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      Lanes high{};
+      Lanes low{};
+      for (std::size_t j = 0; j < n; ++j) {
+        const Lanes term = terms[j][axis];
+        for (std::size_t l = 0; l < kLanes; ++l) {
+          const double above = (term[l] + upper[l]) - upper[l];
+          high[l] += above;
+          low[l] += ((term[l] - above) + lower[l]) - lower[l];
+        }
+      }
+      for (std::size_t l = 0; l < kLanes; ++l) sums[axis][l] = high[l] + low[l];
     }
     for (std::size_t l = 0; l < count; ++l) {
       const bool moves = inverse_mass[start + l] > 0;
-      const std::size_t i = start + l;
-      balls.pull[0][i] = moves ? sum_x[l] : 0;
-      balls.pull[1][i] = moves ? sum_y[l] : 0;
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        balls.pull[axis][start + l] = moves ? sums[axis][l] : 0;
+      }
     }
   }
 }

@@ -10,10 +10,11 @@ namespace carom::effects {
 ///     a_i = strength sum_j m_j (x_j - x_i) / (|x_j - x_i|^2 + softening^2)^(3/2)
 /// Across a periodic side the nearest image of a ball attracts.  Fixed balls attract and stay.
 ///
-/// The sum runs in ball order, and the term of a pair is the same to the last bit, but for its
-/// sign, from both sides: the result depends on neither the shares nor the lanes.
-/// Threads: reads
-/// all balls, writes those of the share.
+/// The term of a pair is the same to the last bit, but for its sign, from both sides, and the sum
+/// does not depend on the order of its terms: the bits depend on neither the shares, the lanes nor
+/// the order of the balls.
+///
+/// Threads: reads all balls, writes those of the share.
 void attract(Balls& balls, const Domain& domain, const Attraction& attraction, std::size_t begin,
              std::size_t end);
 
