@@ -96,9 +96,9 @@ bool same_for_both_axes(const Scene& scene) {
 }
 
 /// Simultaneous impacts are resolved in the order of the balls, and overlap takes all impacts of a
-/// step as simultaneous.
+/// step as simultaneous.  So are the contacts into which attraction pulls balls that lose energy.
 bool same_in_any_order(const Scene& scene, const Measurements& measured) {
-  return measured.joint_impacts == 0 &&
+  return measured.joint_impacts == 0 && !(scene.effects.attraction && loses_energy(scene)) &&
          (scene.solver.method == Method::event || !scene.effects.collisions);
 }
 
