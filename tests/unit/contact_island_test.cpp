@@ -21,6 +21,7 @@ struct Pile {
     IslandBody body;
     body.inverse_mass = 1 / mass;
     body.free = rule.step * rule.acceleration;
+    body.free_mean = body.free / 2;
     bodies.push_back(body);
     return static_cast<int>(bodies.size()) - 1;
   }

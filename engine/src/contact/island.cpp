@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carom::contact {
 namespace {
 
 constexpr double kSolved = 0x1p-20;  // of the speed that the acceleration makes in a step
 constexpr double kStatic = 0x1p-24;  // the same for what is held at rest
+constexpr double kApart = 0x1p-8;    // how fast what overlaps comes apart
+constexpr double kClosed = 0x1p-14;  // a gap that is none, by the way of that speed in a step
 constexpr double kRounding = 0x1p-40;
-constexpr int kSlipRounds = 24;
+constexpr double kSlip = 0x1p-6;
+constexpr double kSlipChange = 0x1p-5;  // how exactly a slip is known
+constexpr int kSlipRounds = 6;
 constexpr int kBounceRounds = 4;
 constexpr int kHalvings = 40;
 
@@ -35,16 +40,41 @@ double opening_of(const std::vector<Vec2>& motion, const IslandContact& c) {
   return opening(c, motion[at(c.a)], c.b < 0 ? kStill : motion[at(c.b)]);
 }
 
+/// How fast the two come together when they meet, after the relative pull on the way there; 0 or
+/// less: they part.
+double arrival(const std::vector<IslandBody>& bodies, const IslandContact& c,
+               const IslandStep::Rule& rule) {
+  const double closing = -opening_before(bodies, c);
+  if (c.b >= 0 || !(closing > 0)) return closing;
+  const double pull = rule.acceleration.dot(c.normal);
+  return std::sqrt(std::max(closing * closing + 2 * pull * std::max(c.gap, 0.0), 0.0));
+}
+
+/// Whether the two meet within the step, faster than what comes to rest.
+bool bounces(const std::vector<IslandBody>& bodies, const IslandContact& c,
+             const IslandStep::Rule& rule) {
+  if (c.restitution == 0) return false;
+  const double closing = -opening_before(bodies, c);
+  const double speed = arrival(bodies, c, rule);
+  return speed > rule.rest_speed && c.gap - rule.step * std::max(closing, speed) < 0;
+}
+
+/// How fast the two may come together so that they touch at the end of the step.  What rounding and
+/// the goal of a solution have let overlap comes apart again.
+double closing_room(const IslandContact& c, const IslandStep::Rule& rule) {
+  return std::max(c.gap / rule.step, -kApart * rule.speed);
+}
+
 /// What the energy of an island grows by in a step.
-double gain(const std::vector<IslandBody>& bodies, const std::vector<Vec2>& after,
-            const std::vector<double>& turning, const std::vector<Vec2>& mean,
+double gain(const std::vector<IslandBody>& bodies, const IslandOutcome& outcome,
             const IslandStep::Rule& rule) {
   double sum = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const IslandBody& body = bodies[i];
-    double twice = after[i].squaredNorm() - body.before.squaredNorm();
-    twice += (turning[i] * turning[i] - body.turning * body.turning) / 2;
-    sum += (twice / 2 - rule.step * rule.acceleration.dot(mean[i])) / body.inverse_mass;
+    const double turning = outcome.turning[i];
+    double twice = outcome.after[i].squaredNorm() - body.before.squaredNorm();
+    twice += (turning * turning - body.turning * body.turning) / 2;
+    sum += (twice / 2 - rule.step * rule.acceleration.dot(outcome.mean[i])) / body.inverse_mass;
   }
   return sum;
 }
@@ -61,7 +91,7 @@ double energy_scale(const std::vector<IslandBody>& bodies, const IslandStep::Rul
 }  // namespace
 
 template <int D>
-void IslandStep::pose(Work<D>& work, const Island& island, const std::vector<char>& bounces,
+void IslandStep::pose(Work<D>& work, const Island& island, const std::vector<char>& bounced,
                       const std::vector<double>& slip) const {
   ContactProblem<D>& problem = work.problem;
   problem.inverse_mass.clear();
@@ -76,8 +106,8 @@ void IslandStep::pose(Work<D>& work, const Island& island, const std::vector<cha
     const IslandContact& c = island.contacts[k];
     const IslandBody& a = island.bodies[at(c.a)];
     const Vec2 t = across(c.normal);
-    const double offset = bounces[k] != 0 ? c.restitution * opening_before(island.bodies, c)
-                                          : std::max(c.gap, 0.0) / island.rule.step;
+    const double offset = bounced[k] != 0 ? -c.restitution * arrival(island.bodies, c, island.rule)
+                                          : closing_room(c, island.rule);
     for (int side = 1; side >= (D == 2 ? 1 : -1); side -= 2) {
       const double mu = D == 3 ? side * c.friction : 0;
       Row<D> row;
@@ -102,42 +132,79 @@ void IslandStep::pose(Work<D>& work, const Island& island, const std::vector<cha
 }
 
 template <int D>
-bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<char>& bounces,
-                       double goal, IslandOutcome& outcome) {
+bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<char>& bounced,
+                       const std::vector<double>& slip, IslandOutcome& outcome) {
+  pose(work, island, bounced, slip);
+  const double goal = kSolved * island.rule.speed;
+  const bool solved = work.solver.solve(work.problem, goal, work.impulses).solved;
+  work.problem.spread(work.impulses, work.motion, true);
   const std::size_t n = island.bodies.size();
+  outcome.after.resize(n);
+  outcome.turning.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double* change = work.motion.data() + i * D;
+    outcome.after[i] = island.bodies[i].free + Vec2{change[0], change[1]};
+    outcome.turning[i] = island.bodies[i].turning + (D == 3 ? change[D - 1] : 0);
+  }
+  outcome.normal.assign(island.contacts.size(), 0.0);
+  outcome.along.assign(island.contacts.size(), 0.0);
+  std::size_t row = 0;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const double one = work.impulses[row++] * island.mass_unit;
+    outcome.normal[k] = one;
+    if (D == 2 || island.contacts[k].friction == 0) continue;
+    const double other = work.impulses[row++] * island.mass_unit;
+    outcome.normal[k] += other;
+    outcome.along[k] = island.contacts[k].friction * (one - other);
+  }
+  return solved;
+}
+
+template <int D>
+bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<char>& bounced,
+                       IslandOutcome& outcome) {
   std::vector<double> slip(island.contacts.size(), 0.0);
+  if (D == 2) return solve(work, island, bounced, slip, outcome);
+  // Slower than this is sticking.
+  const double sticks = kSlip * island.rule.speed;
+  const auto slip_of = [&](const IslandContact& c, const auto& motion, const auto& turning) {
+    double along = across(c.normal).dot(-motion(c.a)) - turning(c.a);
+    if (c.b >= 0) along += across(c.normal).dot(motion(c.b)) - turning(c.b);
+    return std::abs(along) > sticks ? std::abs(along) : 0;
+  };
+  const auto before = [&](int i) { return island.bodies[at(i)].before; };
+  const auto turned = [&](int i) { return island.bodies[at(i)].turning; };
+  const auto after = [&](int i) { return outcome.after[at(i)]; };
+  const auto turning = [&](int i) { return outcome.turning[at(i)]; };
+  for (std::size_t k = 0; k < slip.size(); ++k) {
+    slip[k] = slip_of(island.contacts[k], before, turned);
+  }
   bool solved = false;
-  for (int round = 0; round < (D == 2 ? 1 : kSlipRounds); ++round) {
-    pose(work, island, bounces, slip);
-    solved = work.solver.solve(work.problem, goal, work.impulses).solved;
-    work.problem.spread(work.impulses, work.motion, true);
-    outcome.after.resize(n);
-    outcome.turning.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double* change = work.motion.data() + i * D;
-      outcome.after[i] = island.bodies[i].free + Vec2{change[0], change[1]};
-      outcome.turning[i] = island.bodies[i].turning + (D == 3 ? change[D - 1] : 0);
-    }
-    if (D == 2) break;
-    double most = 0;
+  for (int round = 0; round < kSlipRounds; ++round) {
+    solved = solve(work, island, bounced, slip, outcome);
+    bool changes = false;
     for (std::size_t k = 0; k < slip.size(); ++k) {
       const IslandContact& c = island.contacts[k];
       if (c.friction == 0) continue;
-      const Vec2 other = c.b < 0 ? kStill : outcome.after[at(c.b)];
-      double along = across(c.normal).dot(other - outcome.after[at(c.a)]);
-      along -= outcome.turning[at(c.a)] + (c.b < 0 ? 0 : outcome.turning[at(c.b)]);
-      // What only rounding and the goal leave is sticking.
-      const double now = std::abs(along) > 2 * goal / c.friction ? std::abs(along) : 0;
-      most = std::max(most, c.friction * std::abs(now - slip[k]));
-      slip[k] = now;
+      const double now = slip_of(c, after, turning);
+      changes = changes || std::abs(now - slip[k]) > std::max(sticks, kSlipChange * now);
+      slip[k] = round < 2 ? now : (now + slip[k]) / 2;  // it may go round in circles
     }
-    if (most < 4 * goal) break;
+    if (!changes) break;
   }
-  outcome.normal.assign(island.contacts.size(), 0.0);
-  std::size_t row = 0;
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    outcome.normal[k] = work.impulses[row++];
-    if (D == 3 && island.contacts[k].friction != 0) outcome.normal[k] += work.impulses[row++];
+  // Where a slip was taken for more than it is the contact closes: without it, it cannot.
+  for (int round = 0; round < 2; ++round) {
+    bool closes = false;
+    for (std::size_t k = 0; k < slip.size(); ++k) {
+      const IslandContact& c = island.contacts[k];
+      const double room = bounced[k] != 0 ? 0 : closing_room(c, island.rule);
+      if (!(opening_of(outcome.after, c) + room < -kSlip * island.rule.speed)) continue;
+      closes = true;
+      slip[k] = 0;
+    }
+    if (!closes) break;
+    if (round == 1) std::fill(slip.begin(), slip.end(), 0.0);
+    solved = solve(work, island, bounced, slip, outcome);
   }
   return solved;
 }
@@ -148,62 +215,139 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
   const auto& bodies = island.bodies;
   const auto& contacts = island.contacts;
   const std::size_t n = bodies.size();
-  const double goal = kSolved * rule.speed;
   outcome.bounced.assign(contacts.size(), 0);
-  outcome.solved = solve(work, island, outcome.bounced, goal, outcome);
+  outcome.solved = solve(work, island, outcome.bounced, outcome);
 
-  const double scale = energy_scale(bodies, rule);
-  const auto gain_of = [&](const IslandOutcome& o, const std::vector<Vec2>& mean) {
-    return gain(bodies, o.after, o.turning, mean, rule);
-  };
   const IslandOutcome plastic = outcome;
   std::vector<char> bounced(contacts.size(), 0);
+  bool any = false;
   // A bounce can make another contact carry an impulse, which then bounces, too.
   for (int round = 0; round < kBounceRounds; ++round) {
     bool more = false;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const IslandContact& c = contacts[k];
-      if (bounced[k] != 0 || c.restitution == 0 || !(outcome.normal[k] > 0)) continue;
-      const double closing = -opening_before(bodies, c);
-      if (!(closing > rule.rest_speed) || !(c.gap - rule.step * closing < 0)) continue;
+      if (bounced[k] != 0 || !(outcome.normal[k] > 0) || !bounces(bodies, c, rule)) continue;
       bounced[k] = 1;
       more = true;
     }
     if (!more) break;
-    const bool solved = solve(work, island, bounced, goal, outcome);
+    any = true;
+    const bool solved = solve(work, island, bounced, outcome);
     outcome.solved = outcome.solved && solved;
   }
   outcome.bounced = bounced;
-  if (gain_of(outcome, outcome.after) > kRounding * scale) {
-    // after = plastic + part (after - plastic), for the largest part without a gain: a convex
-    // parabola that is not above 0 at part 0.
-    const IslandOutcome whole = outcome;
-    const auto go = [&](double part) {
-      for (std::size_t i = 0; i < n; ++i) {
-        outcome.after[i] = plastic.after[i] + part * (whole.after[i] - plastic.after[i]);
-        outcome.turning[i] = plastic.turning[i] + part * (whole.turning[i] - plastic.turning[i]);
-      }
-    };
-    double low = 0;
-    double high = 1;
-    for (int halving = 0; halving < kHalvings; ++halving) {
-      const double part = (low + high) / 2;
-      go(part);
-      (gain_of(outcome, outcome.after) > 0 ? high : low) = part;
-    }
-    go(low);
-  }
-
-  // The mean of the velocities before and after is right to second order; it is taken where no
-  // contact closes by it and it makes no energy.
+  // What nothing touches flies free; the others go with the mean of their velocities before and
+  // after, which is right to second order, or, where there are impacts, as far as they touch.
   outcome.mean.resize(n);
-  for (std::size_t i = 0; i < n; ++i) outcome.mean[i] = (bodies[i].before + outcome.after[i]) / 2;
-  bool closes = false;
-  for (const IslandContact& c : contacts) {
-    const double end = c.gap + rule.step * opening_of(outcome.mean, c);
-    closes = closes || end < std::min(c.gap, 0.0) - 4 * goal * rule.step;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (outcome.after[i] == bodies[i].free && plastic.after[i] == bodies[i].free) {
+      outcome.mean[i] = bodies[i].free_mean;
+    } else if (any) {
+      outcome.mean[i] = plastic.after[i];
+    } else {
+      outcome.mean[i] = (bodies[i].before + outcome.after[i]) / 2;
+    }
   }
-  if (closes || gain_of(outcome, outcome.mean) > kRounding * scale) outcome.mean = outcome.after;
+  keep_apart(island, plastic.after, outcome.mean);
+  if (any) {
+    hold_energy(island, plastic, outcome);
+  } else if (gain(bodies, outcome, rule) > kRounding * energy_scale(bodies, rule)) {
+    outcome.mean = plastic.after;
+  }
+}
+
+// By the plastic step no contact closes: whose contacts do close go with it.
+void IslandStep::keep_apart(const Island& island, const std::vector<Vec2>& plastic,
+                            std::vector<Vec2>& mean) {
+  const double most = 4 * kSolved * island.rule.speed * island.rule.step;
+  for (bool more = true; std::exchange(more, false);) {
+    for (const IslandContact& c : island.contacts) {
+      const double end = c.gap + island.rule.step * opening_of(mean, c);
+      if (!(end < std::min(c.gap, 0.0) - most)) continue;
+      for (const int body : {c.a, c.b}) {
+        if (body < 0 || mean[at(body)] == plastic[at(body)]) continue;
+        mean[at(body)] = plastic[at(body)];
+        more = true;
+      }
+    }
+  }
+}
+
+// after = plastic + part (after - plastic), for the largest part without a gain: a convex parabola
+// that is not above 0 at part 0.
+void IslandStep::hold_energy(const Island& island, const IslandOutcome& plastic,
+                             IslandOutcome& outcome) {
+  const Rule& rule = island.rule;
+  if (!(gain(island.bodies, outcome, rule) > kRounding * energy_scale(island.bodies, rule))) return;
+  const IslandOutcome whole = outcome;
+  const auto go = [&](double part) {
+    for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+      outcome.after[i] = plastic.after[i] + part * (whole.after[i] - plastic.after[i]);
+      outcome.turning[i] = plastic.turning[i] + part * (whole.turning[i] - plastic.turning[i]);
+    }
+  };
+  double low = 0;
+  double high = 1;
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    const double part = (low + high) / 2;
+    go(part);
+    (gain(island.bodies, outcome, rule) > 0 ? high : low) = part;
+  }
+  go(low);
+}
+
+// A contact alone: of a disk the normal impulse does not change the slip, nor the tangential one
+// the approach, so each has its own closed form.
+void IslandStep::take_single(const Island& island, IslandOutcome& outcome) {
+  const IslandContact& c = island.contacts.front();
+  const Rule& rule = island.rule;
+  const std::size_t n = island.bodies.size();
+  outcome.after.resize(n);
+  outcome.turning.resize(n);
+  outcome.mean.resize(n);
+  std::vector<Vec2>& motion = outcome.after;
+  for (std::size_t i = 0; i < n; ++i) {
+    motion[i] = island.bodies[i].free;
+    outcome.turning[i] = island.bodies[i].turning;
+    outcome.mean[i] = island.bodies[i].free_mean;
+  }
+  const bool bounce = bounces(island.bodies, c, rule);
+  const double free = opening_of(motion, c);
+  const double room = closing_room(c, rule);
+  const bool meets = free + room < 0;
+  outcome.bounced.assign(1, bounce && meets ? 1 : 0);
+  outcome.normal.assign(1, 0.0);
+  outcome.along.assign(1, 0.0);
+  outcome.solved = true;
+  if (!meets) return;
+  const auto a = at(c.a);
+  const double of_a = island.bodies[a].inverse_mass;
+  const double of_b = c.b < 0 ? 0 : island.bodies[at(c.b)].inverse_mass;
+  const double wanted = bounce ? c.restitution * arrival(island.bodies, c, rule) : -room;
+  const double gained = std::max(wanted - free, 0.0);
+  outcome.normal[0] = gained / (of_a + of_b);
+  const Vec2 t = across(c.normal);
+  double along = 0;
+  if (c.friction > 0) {
+    const Vec2 other = c.b < 0 ? kStill : motion[at(c.b)];
+    const double slip =
+        t.dot(other - motion[a]) - outcome.turning[a] - (c.b < 0 ? 0 : outcome.turning[at(c.b)]);
+    // The impact comes within the step: what it does not have to hold of the pull rubs nothing.
+    const double pressed = bounce ? (1 + c.restitution) * arrival(island.bodies, c, rule) : gained;
+    along = std::clamp(-slip / 3, -c.friction * pressed, c.friction * pressed);
+  }
+  outcome.along[0] = along / (of_a + of_b);
+  const auto push = [&](std::size_t body, int side, double share) {
+    const Vec2 before = island.bodies[body].before;
+    outcome.after[body] += side * share * (gained * c.normal + along * t);
+    outcome.turning[body] -= 2 * share * along;
+    // Along the normal as far as it touches, across it by the mean.
+    const Vec2 met = island.bodies[body].free + side * share * (-room - free) * c.normal;
+    const double across_mean = t.dot(before + outcome.after[body]) / 2;
+    outcome.mean[body] = c.normal.dot(met) * c.normal + across_mean * t;
+  };
+  push(a, -1, of_a / (of_a + of_b));
+  if (c.b >= 0) push(at(c.b), 1, of_b / (of_a + of_b));
 }
 
 template <int D>
@@ -238,7 +382,9 @@ void IslandStep::take(const std::vector<IslandBody>& bodies,
                       const std::vector<IslandContact>& contacts, bool spins, const Rule& rule,
                       IslandOutcome& outcome) {
   const Island island{bodies, contacts, rule, unit_of(bodies)};
-  if (spins) {
+  if (contacts.size() == 1) {
+    take_single(island, outcome);
+  } else if (spins) {
     take(turning_, island, outcome);
   } else {
     take(plain_, island, outcome);
@@ -251,9 +397,14 @@ bool IslandStep::holds(const std::vector<IslandBody>& bodies,
   for (IslandBody& body : still) {
     body.before = {0, 0};
     body.free = rule.step * rule.acceleration;
+    body.free_mean = body.free / 2;
     body.turning = 0;
   }
-  const Island island{still, contacts, rule, unit_of(bodies)};
+  std::vector<IslandContact> closed = contacts;
+  for (IslandContact& c : closed) {
+    if (c.gap < kClosed * rule.speed * rule.step) c.gap = 0;
+  }
+  const Island island{still, closed, rule, unit_of(bodies)};
   return spins ? holds(turning_, island) : holds(plain_, island);
 }
 

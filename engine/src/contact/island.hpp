@@ -13,6 +13,7 @@ struct IslandBody {
   double inverse_mass = 0;  ///< more than 0
   Vec2 before{0, 0};        ///< its velocity at the start of the step
   Vec2 free{0, 0};          ///< at its end, if nothing touched the ball
+  Vec2 free_mean{0, 0};     ///< what would carry it through the step then
   double turning = 0;       ///< spin times radius, at the start
 };
 
@@ -32,6 +33,7 @@ struct IslandOutcome {
   std::vector<double> turning;  ///< spin times radius, at the end
   std::vector<Vec2> mean;       ///< the velocity that carries each ball through the step
   std::vector<double> normal;   ///< the normal impulse of each contact
+  std::vector<double> along;    ///< and the one along (-n_y, n_x), by friction
   std::vector<char> bounced;    ///< by contact: an impact with its restitution
   bool solved = true;
 };
@@ -83,12 +85,22 @@ class IslandStep {
     double mass_unit = 1;
   };
 
+  static void hold_energy(const Island& island, const IslandOutcome& plastic,
+                          IslandOutcome& outcome);
+  static void keep_apart(const Island& island, const std::vector<Vec2>& plastic,
+                         std::vector<Vec2>& mean);
+  static void take_single(const Island& island, IslandOutcome& outcome);
   template <int D>
   void take(Work<D>& work, const Island& island, IslandOutcome& outcome);
   template <int D>
   bool holds(Work<D>& work, const Island& island);
+  /// The least impulses for these slips.
   template <int D>
-  bool solve(Work<D>& work, const Island& island, const std::vector<char>& bounces, double goal,
+  bool solve(Work<D>& work, const Island& island, const std::vector<char>& bounced,
+             const std::vector<double>& slip, IslandOutcome& outcome);
+  /// The same for the slips that come out.
+  template <int D>
+  bool solve(Work<D>& work, const Island& island, const std::vector<char>& bounced,
              IslandOutcome& outcome);
   template <int D>
   void pose(Work<D>& work, const Island& island, const std::vector<char>& bounces,

@@ -5,14 +5,12 @@
 #include <ranges>
 
 #include "effects/contact_group.hpp"
-#include "effects/pile.hpp"
 
 namespace carom::effects {
 namespace {
 
 // Passes over a group that has not come to an end yet; what is left over waits for the next step.
 constexpr int kImpactPasses = 16;
-constexpr int kPileImpactPasses = 4;  // the pile's own passes follow
 constexpr int kSeparationPasses = 8;
 
 // Runs `act` over the contacts, forwards and backwards in turn, until it finds nothing to do; says
@@ -64,12 +62,9 @@ double GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactC
   const std::size_t noted = count.log.impacts.size();
   const Vec2& acceleration = rule_.acceleration;
   const bool falls = acceleration.x() != 0 || acceleration.y() != 0;
-  const bool rests = falls && rule_.restitution < 1 && group.bound;
   const double energy = falls ? group.kinetic_energy() : 0;
-  const bool calm = sweep(group, rests ? kPileImpactPasses : kImpactPasses, [&](Contact& contact) {
-    return group.collide(contact, domain_, rule_, count);
-  });
-  if (rests && !calm) stop_on_ground(group, domain_, rule_, count);
+  sweep(group, kImpactPasses,
+        [&](Contact& contact) { return group.collide(contact, domain_, rule_, count); });
   sweep(group, kSeparationPasses, [&](const Contact& contact) {
     const double a = group.members[contact.a].inverse_mass / contact.inverse_masses;
     return group.separate(contact, domain_, a, 1 - a);

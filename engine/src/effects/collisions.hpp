@@ -11,9 +11,6 @@
 
 namespace carom::effects {
 
-/// The stretch where balls can come to rest on each other.
-inline constexpr double kPileStretch = 1.125;
-
 /// What the impacts of balls depend on beside the balls.
 struct CollisionRule {
   double restitution = 1;

@@ -22,9 +22,8 @@ struct Member {
   double radius = 0;
   double mass = 0;
   double inverse_mass = 0;
-  double spin = 0;         ///< with friction
-  Vec2 pull{0, 0};         ///< by attraction: half a step of it is in the velocity, half is to come
-  bool supported = false;  ///< stands on a wall, a fixed ball or a supported ball
+  double spin = 0;  ///< with friction
+  Vec2 pull{0, 0};  ///< by attraction: half a step of it is in the velocity, half is to come
 };
 
 /// Notes what a ball met at a wall across an axis.

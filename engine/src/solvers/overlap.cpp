@@ -57,7 +57,7 @@ std::vector<Phase> OverlapSolver::phases() {
   if (plan_.shared_resolution) {
     resolve_ = next();
     phases.push_back({"pair_resolution", [this](Share share) { resolve(share); },
-                      [this] { return after_impacts(); }});
+                      [this] { return lasting_ ? after_islands() : after_impacts(); }});
   }
   if (plan_.attraction) {
     attract_ = next();
@@ -76,6 +76,9 @@ void OverlapSolver::set_workers(std::size_t workers) {
     heir.impacts.ball_wall += desk.impacts.ball_wall;
     heir.deepest = std::max(heir.deepest, desk.deepest);
     heir.impacts.friction_seconds += desk.impacts.friction_seconds;
+    heir.lasting.ball_ball += desk.lasting.ball_ball;
+    heir.lasting.ball_wall += desk.lasting.ball_wall;
+    heir.lasting.deepest = std::max(heir.lasting.deepest, desk.lasting.deepest);
     heir.seconds += desk.seconds;
     desks_[k].impacts.log.move_to(heir.impacts.log.impacts);
   }
@@ -91,6 +94,13 @@ std::size_t OverlapSolver::aim(double time) {
   target_ = due > 0 ? static_cast<std::uint64_t>(due) : 0;
   if (target_ <= steps_) return Phase::kFrameDone;
   if (collides() && !many() && all_pairs_.count == 0) all_pairs_ = all_pairs(balls_);
+  if (lasting_) {
+    if (!std::exchange(know_asleep_, true)) contacts_.find_asleep(balls_, near_pairs());
+    if (contacts_.all_asleep() && !attract_) {
+      steps_ = target_;
+      return Phase::kFrameDone;
+    }
+  }
   return attract_ && !pull_known_ ? *attract_ : kFly;
 }
 
@@ -108,10 +118,12 @@ void OverlapSolver::fly(Share share) {
     effects::kick(balls_, step_ / 2, begin, end);
   }
   desk.bullets.clear();
+  desk.out.clear();
+  if (lasting_) contacts_.begin(balls_, begin, end);
   if (collides()) find_bullets(balls_, begin, end, step_, smallest_radius_, desk.bullets);
   for (std::size_t i = begin; i < end; i += Flight::kBlock) {
     const std::size_t block_end = std::min(i + Flight::kBlock, end);
-    if (rule_.wall_friction > 0) {
+    if (rule_.wall_friction > 0 && !lasting_) {
       effects::Struck struck;
       fly(i, block_end, desk, &struck);
       const Stopwatch stopwatch(timed(), desk.seconds.of<Friction>());
@@ -120,9 +132,19 @@ void OverlapSolver::fly(Share share) {
                          recording_ ? &rubbed : nullptr);
       if (recording_) note_walls(i, &rubbed, desk);
     } else {
+      std::array<double, Flight::kBlock> lost_before{};
+      const bool keeps = lasting_ && drag_rate_ > 0;
+      if (keeps)
+        std::copy_n(lost_.begin() + static_cast<std::ptrdiff_t>(i), block_end - i,
+                    lost_before.begin());
       fly(i, block_end, desk, nullptr);
       if (recording_) note_walls(i, nullptr, desk);
+      // Who is asleep does not move: drag takes nothing.
+      for (std::size_t k = i; keeps && k < block_end; ++k) {
+        if (contacts_.asleep(k)) lost_[k] = lost_before[k - i];
+      }
     }
+    if (lasting_) contacts_.end(balls_, i, block_end, desk.out);
     if (listed_) note_moves(i, block_end, desk);
   }
 }
@@ -145,6 +167,10 @@ void OverlapSolver::fly(std::size_t begin, std::size_t end, Desk& desk, effects:
     }
     land(flight);
     if (domain_.solid(axis)) {
+      if (lasting_) {
+        store(flight, balls_);
+        continue;
+      }
       const Stopwatch stopwatch(timed(), desk.seconds.of<Walls>());
       desk.impacts.ball_wall +=
           effects::walls(flight, domain_, wall_rule_[axis],
@@ -207,7 +233,7 @@ void OverlapSolver::count_missed_hits() {
 }
 
 std::size_t OverlapSolver::after_flight() {
-  if (!collides()) return after_impacts();
+  if (!collides()) return lasting_ ? form_islands() : after_impacts();
   count_missed_hits();
   if (!many() || !list_is_stale()) return detect_;
   const Stopwatch stopwatch(timed(), desks_.front().seconds.of<Collisions>());
@@ -234,7 +260,7 @@ void OverlapSolver::detect(Share share) {
   const std::size_t end = listed ? pairs.count : share.end(pairs.count);
   const double deepest =
       find_touching(pairs, begin, end, balls_, domain_.period, rule_.stretch, desk.touching);
-  desk.deepest = std::max(desk.deepest, deepest);
+  if (!lasting_) desk.deepest = std::max(desk.deepest, deepest);
 }
 
 std::size_t OverlapSolver::after_detection() {
@@ -243,12 +269,13 @@ std::size_t OverlapSolver::after_detection() {
   for (const Desk& desk : desks_) {
     touching_.insert(touching_.end(), desk.touching.begin(), desk.touching.end());
   }
-  if (touching_.empty()) return after_impacts();
+  if (touching_.empty() && !lasting_) return after_impacts();
   // The order in which pairs were found depends on the list; the order they are resolved in must
   // not.
   if (!std::is_sorted(touching_.begin(), touching_.end())) {
     std::sort(touching_.begin(), touching_.end());
   }
+  if (lasting_) return form_islands();
   groups_.sort(touching_, balls_.size());
   const bool share_out = desks_.size() > 1 && groups_.pairs() >= OverlapPlan::kSharedPairs &&
                          groups_.largest() * 2 < groups_.pairs();
@@ -259,9 +286,96 @@ std::size_t OverlapSolver::after_detection() {
   return after_impacts();
 }
 
+std::size_t OverlapSolver::form_islands() {
+  if (rounds_ == 0) {
+    out_.clear();
+    for (const Desk& desk : desks_) out_.insert(out_.end(), desk.out.begin(), desk.out.end());
+    if (!collides()) touching_.clear();
+  }
+  ++rounds_;
+  for (Desk& desk : desks_) {
+    desk.settled = desk.lasting;
+    desk.noted = desk.impacts.log.impacts.size();
+  }
+  contacts_.form(balls_, touching_, out_);
+  const bool share_out =
+      desks_.size() > 1 && contacts_.islands() > 1 && touching_.size() >= OverlapPlan::kSharedPairs;
+  if (resolve_ && share_out) return *resolve_;
+  for (std::size_t k = 0; k < contacts_.islands(); ++k) resolve_island(k, desks_.front());
+  return after_islands();
+}
+
+void OverlapSolver::resolve_island(std::size_t island, Desk& desk) {
+  // Every few steps an island may be found to be at rest.
+  constexpr std::uint64_t kAsked = 4;
+  contacts_.resolve(island, balls_, !attract_ && steps_ % kAsked == 0, desk.island, desk.lasting,
+                    desk.impacts.log);
+}
+
+std::size_t OverlapSolver::after_islands() {
+  if (collides() && find_new_overlaps()) return form_islands();
+  contacts_.settle(loses() ? std::span<double>(lost_) : std::span<double>());
+  rounds_ = 0;
+  return after_impacts();
+}
+
+// Balls that were pushed far may have come to others that were not near: then all is solved again
+// with them.
+bool OverlapSolver::find_new_overlaps() {
+  constexpr int kRounds = 6;
+  const double push = contacts_.farthest_push();
+  const double slack = 2 * contact::LastingContacts::kNear * smallest_radius_;
+  if (!(2 * push >= slack) || rounds_ >= kRounds) return false;
+  std::vector<Pair> found;
+  const auto look = [&](const PairList& pairs) {
+    find_touching(pairs, 0, pairs.count, balls_, domain_.period, 1, found);
+  };
+  if (!many()) {
+    look(all_pairs_);
+  } else {
+    for (const Desk& desk : desks_) look(desk.neighbours);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<Pair> fresh;
+  std::set_difference(found.begin(), found.end(), touching_.begin(), touching_.end(),
+                      std::back_inserter(fresh));
+  if (fresh.empty()) return false;
+  contacts_.undo(balls_);
+  for (Desk& desk : desks_) {
+    desk.lasting = desk.settled;
+    desk.impacts.log.impacts.resize(desk.noted);
+  }
+  touching_.insert(touching_.end(), fresh.begin(), fresh.end());
+  std::sort(touching_.begin(), touching_.end());
+  return true;
+}
+
+std::vector<Pair> OverlapSolver::near_pairs() {
+  std::vector<Pair> near;
+  if (!collides()) return near;
+  const auto look = [&](const PairList& pairs) {
+    find_touching(pairs, 0, pairs.count, balls_, domain_.period, rule_.stretch, near);
+  };
+  if (!many()) {
+    look(all_pairs_);
+  } else {
+    build_grid();
+    for (std::size_t w = 0; w < desks_.size(); ++w) search({w, desks_.size()});
+    for (const Desk& desk : desks_) look(desk.neighbours);
+  }
+  std::sort(near.begin(), near.end());
+  return near;
+}
+
 void OverlapSolver::resolve(Share share) {
   Desk& desk = desks_[share.index];
   const Stopwatch stopwatch(timed(), desk.seconds.of<Collisions>());
+  if (lasting_) {
+    for (std::size_t k = share.index; k < contacts_.islands(); k += share.count) {
+      resolve_island(k, desk);
+    }
+    return;
+  }
   for (std::size_t g = share.begin(groups_.count()); g < share.end(groups_.count()); ++g) {
     resolve_group(g, desk.impacts);
   }
@@ -358,7 +472,7 @@ void OverlapSolver::remove(std::size_t ball) {
   for (auto& turns : turns_) {
     if (!turns.empty()) turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(ball));
   }
-  forget_pairs();
+  renew_rules();
 }
 
 void OverlapSolver::set(const Effects& effects) {
@@ -382,7 +496,6 @@ void OverlapSolver::renew_rules() {
   if (effects_.collisions) {
     rule_.restitution = effects_.collisions->restitution;
     rule_.rest_speed = effects::rest_speed(acceleration.norm(), step_, rule_.restitution);
-    rule_.stretch = rule_.rest_speed > 0 ? effects::kPileStretch : 1;
   }
   if (effects_.walls) {
     rule_.wall_restitution = effects_.walls->restitution;
@@ -408,6 +521,18 @@ void OverlapSolver::renew_rules() {
     }
     if (along != 0 && domain_.period[axis] > 0) turns_[axis].resize(balls_.size(), 0);
   }
+  lasting_ = contact::contacts_last(effects_, balls_);
+  rule_.stretch = lasting_ ? 1 + contact::LastingContacts::kNear : 1;
+  lasting_rule_ = {step_,
+                   acceleration,
+                   {glide_[0].fall, glide_[1].fall},
+                   {glide_[0].gain, glide_[1].gain},
+                   rule_.restitution,
+                   rule_.wall_restitution,
+                   rule_.friction,
+                   rule_.wall_friction,
+                   loses_energy(effects_) ? 2 * acceleration.norm() * step_ : 0};
+  know_asleep_ = false;
 }
 
 bool OverlapSolver::loses() const {
@@ -437,7 +562,10 @@ void OverlapSolver::count(Measurements& measurements) const {
   for (const Desk& desk : desks_) {
     measurements.ball_ball += desk.impacts.ball_ball;
     measurements.ball_wall += desk.impacts.ball_wall;
-    measurements.max_overlap = std::max(measurements.max_overlap, desk.deepest);
+    measurements.ball_ball += desk.lasting.ball_ball;
+    measurements.ball_wall += desk.lasting.ball_wall;
+    measurements.max_overlap =
+        std::max({measurements.max_overlap, desk.deepest, desk.lasting.deepest});
     seconds += desk.seconds;
     // Timed as a part of the impacts.
     seconds.of<Collisions>() -= desk.impacts.friction_seconds;

@@ -8,6 +8,7 @@
 
 #include "contact/cell_grid.hpp"
 #include "contact/groups.hpp"
+#include "contact/lasting_contacts.hpp"
 #include "contact/missed.hpp"
 #include "contact/pair_list.hpp"
 #include "effects/collisions.hpp"
@@ -30,7 +31,7 @@ namespace carom {
 ///     wall_computation    each worker: its balls               reads and writes its balls
 ///     neighbour_search    each worker: the neighbours of its balls, where the list has aged
 ///     pair_computation    each worker: its pairs               reads all balls, writes its hits
-///     pair_resolution     each worker: some groups of touching balls, writes those
+///     pair_resolution     each worker: some groups or islands of touching balls, writes those
 ///     attraction          each worker: the pull on its balls   reads all balls, writes its balls
 ///
 /// Only what the scene names is there: without collisions none of the pairs, without attraction not
@@ -40,6 +41,9 @@ namespace carom {
 ///
 /// Work that is too little to share is done between two phases by the worker that arrives last; a
 /// scene that starts too small ever to share it does not have the phase: see OverlapPlan.
+///
+/// Where contacts can last, balls that touch are solved island by island instead, walls included,
+/// and fall asleep: see contact/lasting_contacts.hpp.  When all are asleep a step costs nothing.
 ///
 /// Holds: no memory from step to step beside the balls: lists of pairs never change the result.
 class OverlapSolver final : public Solver {
@@ -74,6 +78,11 @@ class OverlapSolver final : public Solver {
     PairList neighbours;
     std::vector<Pair> touching;
     std::vector<Bullet> bullets;
+    std::vector<std::uint32_t> out;  // beyond a wall, where contacts last
+    contact::IslandStep island;
+    contact::LastingContacts::Count lasting;
+    contact::LastingContacts::Count settled;  // as it was before the islands of this step
+    std::size_t noted = 0;                    // and how many impacts had been noted
     effects::ImpactCount impacts;
     double deepest = 0;
     double moved_square = 0;  // of the ball that has moved farthest since the list was built
@@ -92,6 +101,11 @@ class OverlapSolver final : public Solver {
   void pull(Share share);
   [[nodiscard]] std::size_t after_flight();
   [[nodiscard]] std::size_t after_detection();
+  [[nodiscard]] std::size_t form_islands();
+  [[nodiscard]] std::size_t after_islands();
+  [[nodiscard]] bool find_new_overlaps();
+  void resolve_island(std::size_t island, Desk& desk);
+  [[nodiscard]] std::vector<Pair> near_pairs();
   [[nodiscard]] std::size_t after_impacts();
   [[nodiscard]] std::size_t after_pull();
   [[nodiscard]] std::size_t end_step();
@@ -138,6 +152,12 @@ class OverlapSolver final : public Solver {
   std::array<effects::WallRule, 2> wall_rule_;
   effects::CollisionRule rule_;
   effects::GroupResolver resolver_{domain_, rule_, turns_};
+  contact::LastingRule lasting_rule_;
+  contact::LastingContacts contacts_{domain_, lasting_rule_, turns_};
+  bool lasting_ = false;      // contacts that last are looked for
+  bool know_asleep_ = false;  // who is asleep has been found
+  int rounds_ = 0;            // of this step: how often its islands have been formed
+  std::vector<std::uint32_t> out_;
   PairList all_pairs_;
   CellGrid grid_;
   std::array<Balls::Column, 2> anchor_;  // where the balls were when the list was built

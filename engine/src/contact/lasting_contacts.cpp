@@ -1,0 +1,559 @@
+#include "contact/lasting_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace carom::contact {
+namespace {
+
+// What is slow, as a part of the speed that the acceleration makes in a step.  Balls that roll on
+// each other like gears lose nothing: islands fall asleep sooner than a ball alone, which may
+// glide.
+constexpr double kStill = 0x1p-6;
+constexpr double kStillAlone = 0x1p-10;
+constexpr double kUnequal = 16;  // masses: the heavier ball lies on the lighter one for long
+
+Vec2 column(const std::array<std::vector<double>, 2>& columns, std::size_t ball) {
+  return {columns[0][ball], columns[1][ball]};
+}
+
+Vec2 velocity(const Balls& balls, std::size_t ball) {
+  return {balls.velocity[0][ball], balls.velocity[1][ball]};
+}
+
+}  // namespace
+
+bool contacts_last(const Effects& effects, const Balls& balls) {
+  const bool pulled = effects.gravity && effects.gravity->acceleration != Vec2{0, 0};
+  const bool collide = effects.collisions && effects.collisions->on;
+  const bool walls = effects.walls && effects.walls->on;
+  if (!pulled || !(collide || walls)) return false;
+  if (loses_energy(effects) || (effects.friction && walls)) return true;
+  if (!collide) return false;
+  double least = 0;
+  double most = 0;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    if (balls.fixed(i)) continue;
+    const double mass = balls.mass[i];
+    least = least == 0 ? mass : std::min(least, mass);
+    most = std::max(most, mass);
+  }
+  return most > kUnequal * least;
+}
+
+void LastingContacts::wake_all(const Balls& balls) {
+  asleep_.assign(balls.size(), 0);
+  slept_.assign(balls.size(), 0);
+  parent_.resize(balls.size());
+  island_of_.assign(balls.size(), -1);
+  place_.assign(balls.size(), -1);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    start_[axis].resize(balls.size());
+    before_[axis].resize(balls.size());
+  }
+  awake_ = 0;
+  sleepers_ = 0;
+  for (std::size_t i = 0; i < balls.size(); ++i) awake_ += balls.fixed(i) ? 0 : 1;
+}
+
+void LastingContacts::begin(const Balls& balls, std::size_t begin, std::size_t end) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto from = static_cast<std::ptrdiff_t>(begin);
+    std::copy(balls.position[axis].data() + begin, balls.position[axis].data() + end,
+              start_[axis].begin() + from);
+    std::copy(balls.velocity[axis].data() + begin, balls.velocity[axis].data() + end,
+              before_[axis].begin() + from);
+  }
+  for (std::size_t i = begin; i < end; ++i) slept_[i] = asleep_[i];
+}
+
+void LastingContacts::end(Balls& balls, std::size_t begin, std::size_t end,
+                          std::vector<std::uint32_t>& out) const {
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::size_t k = i;
+    if (asleep_[i] != 0) {
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        balls.position[axis][k] = start_[axis][i];
+        balls.velocity[axis][k] = 0;
+      }
+      continue;
+    }
+    if (balls.inverse_mass[k] == 0) continue;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (!domain_.solid(axis)) continue;
+      const double x = balls.position[axis][k];
+      const double radius = balls.radius[k];
+      if (x < domain_.lowest(axis, radius) || x > domain_.highest(axis, radius)) {
+        out.push_back(static_cast<std::uint32_t>(i));
+        break;
+      }
+    }
+  }
+}
+
+std::uint32_t LastingContacts::root(std::uint32_t ball) {
+  while (parent_[ball] != ball) ball = parent_[ball] = parent_[parent_[ball]];
+  return ball;
+}
+
+bool LastingContacts::overlap(const Balls& balls, const Pair& pair) const {
+  const double reach = balls.radius[pair.first] + balls.radius[pair.second];
+  return nearest_image(balls.at(pair.second) - balls.at(pair.first), domain_).squaredNorm() <
+         reach * reach;
+}
+
+void LastingContacts::wake(Balls& balls, std::uint32_t ball) {
+  asleep_[ball] = 0;
+  ++awake_;
+  --sleepers_;
+  const std::size_t k = ball;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    double x = start_[axis][ball] + rule_.fall[axis];
+    if (domain_.period[axis] > 0) x = domain_.wrapped(axis, x);
+    balls.position[axis][k] = x;
+    balls.velocity[axis][k] = rule_.gain[axis];
+  }
+}
+
+// Who is awake and comes into a ball that sleeps wakes all that lie together with it.
+void LastingContacts::wake_struck(Balls& balls, std::span<const Pair> near) {
+  std::vector<char> woken(balls.size(), 0);
+  for (bool more = true; std::exchange(more, false);) {
+    for (const Pair& pair : near) {
+      if (asleep_[pair.first] == asleep_[pair.second]) {
+        continue;
+      }
+      const bool first = asleep_[pair.first] != 0;
+      const std::uint32_t sleeper = first ? pair.first : pair.second;
+      const std::uint32_t other = first ? pair.second : pair.first;
+      if (balls.fixed(other)) continue;
+      if (woken[other] == 0 && !overlap(balls, pair)) continue;
+      wake(balls, sleeper);
+      woken[sleeper] = 1;
+      more = true;
+    }
+  }
+}
+
+void LastingContacts::form(Balls& balls, std::span<const Pair> near,
+                           std::span<const std::uint32_t> out) {
+  islands_.clear();
+  largest_ = 0;
+  if (near.empty() && out.empty()) return;
+  std::vector<std::uint32_t> beyond(out.begin(), out.end());
+  if (sleepers_ > 0) {
+    const std::vector<char> slept = asleep_;
+    wake_struck(balls, near);
+    for (std::uint32_t i = 0; i < slept.size(); ++i) {
+      if (slept[i] != asleep_[i]) beyond.push_back(i);  // it is solved, wherever it lies
+    }
+  }
+  const auto moves = [&](std::uint32_t i) { return !balls.fixed(i) && asleep_[i] == 0; };
+  std::vector<std::uint32_t> touched = beyond;
+  for (const Pair& pair : near) {
+    if (moves(pair.first)) touched.push_back(pair.first);
+    if (moves(pair.second)) touched.push_back(pair.second);
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  for (const std::uint32_t i : touched) {
+    parent_[i] = i;
+    island_of_[i] = -1;
+  }
+  for (const Pair& pair : near) {
+    if (!moves(pair.first) || !moves(pair.second)) continue;
+    const std::uint32_t a = root(pair.first);
+    const std::uint32_t b = root(pair.second);
+    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+  }
+  const auto seed = [&](std::uint32_t ball) {
+    const std::uint32_t r = root(ball);
+    if (island_of_[r] >= 0) return;
+    island_of_[r] = static_cast<int>(islands_.size());
+    islands_.emplace_back();
+  };
+  for (const std::uint32_t i : beyond) {
+    if (moves(i)) seed(i);
+  }
+  for (const Pair& pair : near) {
+    const bool first = moves(pair.first);
+    if ((first || moves(pair.second)) && overlap(balls, pair)) {
+      seed(first ? pair.first : pair.second);
+    }
+  }
+  for (const std::uint32_t i : touched) {
+    const int island = island_of_[root(i)];
+    if (island >= 0) add_member(islands_[static_cast<std::size_t>(island)], balls, i);
+  }
+  for (Island& island : islands_) {
+    order(island);
+    for (std::size_t k = 0; k < island.members.size(); ++k) {
+      place_[island.members[k].ball] = static_cast<int>(k);
+    }
+  }
+  for (const Pair& pair : near) {
+    const bool first = moves(pair.first);
+    const bool second = moves(pair.second);
+    if (!first && !second) continue;
+    const int number = island_of_[root(first ? pair.first : pair.second)];
+    if (number < 0) continue;
+    const int a = first ? place_[pair.first] : -1;
+    const int b = second ? place_[pair.second] : -1;
+    add_pair(islands_[static_cast<std::size_t>(number)], balls, a, b, pair);
+  }
+  for (Island& island : islands_) {
+    add_walls(island, balls);
+    largest_ = std::max(largest_, island.members.size());
+  }
+}
+
+void LastingContacts::add_member(Island& island, const Balls& balls, std::uint32_t ball) {
+  const std::size_t k = ball;
+  Member member;
+  member.ball = ball;
+  member.start = column(start_, ball);
+  member.flown = balls.at(ball);
+  member.flown_velocity = velocity(balls, ball);
+  member.woken = slept_[ball] != 0;
+  if (balls.spin.size() > 0) member.spin = balls.spin[k];
+  island.members.push_back(member);
+}
+
+// By place, so that no numbering of the balls is seen.
+void LastingContacts::order(Island& island) const {
+  std::sort(island.members.begin(), island.members.end(), [](const Member& a, const Member& b) {
+    if (a.start.y() != b.start.y()) return a.start.y() < b.start.y();
+    if (a.start.x() != b.start.x()) return a.start.x() < b.start.x();
+    return a.ball < b.ball;
+  });
+}
+
+Vec2 LastingContacts::touching_normal(const Vec2& r, const Vec2& way, double reach) const {
+  const double square = r.squaredNorm();
+  const double along = r.dot(way);
+  const double length = way.squaredNorm();
+  // Where they met on the way, if that is far and they do meet.
+  constexpr double kFar = 0x1p-8;
+  if (square > reach * reach && along < 0 && length > kFar * reach * reach) {
+    const double across = r.x() * way.y() - r.y() * way.x();
+    const double root = length * reach * reach - across * across;
+    if (root > 0) {
+      const double part = (square - reach * reach) / (std::sqrt(root) - along);
+      const Vec2 met = r + part * way;
+      return met / met.norm();
+    }
+  }
+  if (square > 0) return r / std::sqrt(square);
+  return {0, 1};
+}
+
+void LastingContacts::add_pair(Island& island, const Balls& balls, int a, int b,
+                               const Pair& pair) const {
+  std::uint32_t from = pair.first;
+  std::uint32_t to = pair.second;
+  if (a < 0 || (b >= 0 && b < a)) {
+    std::swap(a, b);
+    std::swap(from, to);
+  }
+  const double radius = balls.radius[from];
+  const double other = balls.radius[to];
+  const double reach = radius + other;
+  const Vec2 r = nearest_image(column(start_, to) - column(start_, from), domain_);
+  const Vec2 end = nearest_image(balls.at(to) - balls.at(from), domain_);
+  IslandContact contact;
+  contact.a = a;
+  contact.b = b;
+  contact.normal = touching_normal(r, nearest_image(end - r, domain_), reach);
+  contact.gap = contact.normal.dot(r) - reach;
+  contact.friction = rule_.friction;
+  contact.restitution = rule_.restitution;
+  island.contacts.push_back(contact);
+  island.smaller.push_back(std::min(radius, other));
+  island.others.push_back(to);
+}
+
+void LastingContacts::add_walls(Island& island, const Balls& balls) const {
+  std::vector<std::size_t> rank(island.contacts.size());
+  std::iota(rank.begin(), rank.end(), 0U);
+  std::sort(rank.begin(), rank.end(), [&](std::size_t k, std::size_t l) {
+    const IslandContact& c = island.contacts[k];
+    const IslandContact& d = island.contacts[l];
+    if (c.a != d.a) return c.a < d.a;
+    if (c.b != d.b) return c.b < d.b;
+    if (c.normal.y() != d.normal.y()) return c.normal.y() < d.normal.y();
+    return c.normal.x() < d.normal.x();
+  });
+  std::vector<IslandContact> contacts;
+  std::vector<double> smaller;
+  std::vector<std::uint32_t> others;
+  for (const std::size_t k : rank) {
+    contacts.push_back(island.contacts[k]);
+    smaller.push_back(island.smaller[k]);
+    others.push_back(island.others[k]);
+  }
+  island.contacts.swap(contacts);
+  island.others.swap(others);
+  island.smaller.swap(smaller);
+  island.pairs = island.contacts.size();
+  for (std::size_t m = 0; m < island.members.size(); ++m) {
+    const Member& member = island.members[m];
+    const double radius = balls.radius[member.ball];
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (!domain_.solid(axis)) continue;
+      const std::size_t i = axis;
+      for (const int side : {-1, 1}) {
+        const double stop = side < 0 ? domain_.lowest(axis, radius) : domain_.highest(axis, radius);
+        const double gap = side * (stop - member.start[i]);
+        if (std::min(gap, side * (stop - member.flown[i])) > 2 * kNear * radius) continue;
+        IslandContact contact;
+        contact.a = static_cast<int>(m);
+        contact.normal[i] = side;
+        contact.gap = gap;
+        contact.friction = rule_.wall_friction;
+        contact.restitution = rule_.wall_restitution;
+        island.contacts.push_back(contact);
+        island.smaller.push_back(radius);
+      }
+    }
+  }
+  for (const Member& member : island.members) {
+    const std::size_t k = member.ball;
+    IslandBody body;
+    body.inverse_mass = balls.inverse_mass[k];
+    body.before = column(before_, member.ball);
+    body.free = member.flown_velocity;
+    body.free_mean = nearest_image(member.flown - member.start, domain_) / rule_.step;
+    body.turning = member.spin * balls.radius[k];
+    island.bodies.push_back(body);
+  }
+}
+
+IslandStep::Rule LastingContacts::step_rule() const {
+  return {rule_.step, rule_.acceleration, rule_.rest_speed, rule_.acceleration.norm() * rule_.step};
+}
+
+void LastingContacts::put(Balls& balls, Member& member, const Vec2& place, const Vec2& velocity,
+                          double spin) {
+  const std::size_t k = member.ball;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const std::size_t i = axis;
+    const double period = domain_.period[axis];
+    double x = place[i];
+    if (domain_.solid(axis)) {
+      x = std::clamp(x, domain_.lowest(axis, balls.radius[k]),
+                     domain_.highest(axis, balls.radius[k]));
+    } else if (period > 0) {
+      x = domain_.wrapped(axis, x);
+      if (!turns_[axis].empty()) {
+        const double flown =
+            member.start[i] + nearest_image(member.flown[i] - member.start[i], period);
+        const auto turns =
+            std::llrint((place[i] - x) / period) - std::llrint((flown - member.flown[i]) / period);
+        turns_[axis][member.ball] += turns - member.turned[axis];
+        member.turned[axis] = turns;
+      }
+    }
+    balls.position[axis][k] = x;
+    balls.velocity[axis][k] = velocity[i];
+  }
+  if (balls.spin.size() > 0) balls.spin[k] = spin;
+}
+
+void LastingContacts::resolve(std::size_t number, Balls& balls, bool may_sleep, IslandStep& step,
+                              Count& count, ImpactLog& log) {
+  thread_local IslandOutcome outcome;
+  Island& island = islands_[number];
+  const IslandStep::Rule rule = step_rule();
+  const bool spins = balls.spin.size() > 0;
+  step.take(island.bodies, island.contacts, spins, rule, outcome);
+  const double still = (island.members.size() > 1 ? kStill : kStillAlone) * rule.speed;
+  bool slow = may_sleep;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    slow = slow && outcome.bounced[k] == 0;
+    if (outcome.bounced[k] == 0) continue;
+    ++(k < island.pairs ? count.ball_ball : count.ball_wall);
+  }
+  for (std::size_t m = 0; m < island.members.size() && slow; ++m) {
+    const Vec2& v = outcome.after[m];
+    slow =
+        std::abs(v.x()) < still && std::abs(v.y()) < still && std::abs(outcome.turning[m]) < still;
+  }
+  island.sleeps = slow && step.holds(island.bodies, island.contacts, spins, rule);
+  for (std::size_t m = 0; m < island.members.size(); ++m) {
+    Member& member = island.members[m];
+    if (island.sleeps) {
+      put(balls, member, member.start, {0, 0}, 0);
+      continue;
+    }
+    const Vec2 place = member.start + rule_.step * outcome.mean[m];
+    const double radius = balls.radius[member.ball];
+    put(balls, member, place, outcome.after[m], outcome.turning[m] / radius);
+    const Vec2 pushed = rule_.step * (outcome.mean[m] - island.bodies[m].free_mean);
+    island.push = std::max(island.push, pushed.norm());
+  }
+  for (std::size_t k = 0; k < island.contacts.size() && !island.sleeps; ++k) {
+    const IslandContact& c = island.contacts[k];
+    if (c.b < 0) continue;
+    const Member& a = island.members[static_cast<std::size_t>(c.a)];
+    const Member& b = island.members[static_cast<std::size_t>(c.b)];
+    const double reach = balls.radius[a.ball] + balls.radius[b.ball];
+    const double distance = nearest_image(balls.at(b.ball) - balls.at(a.ball), domain_).norm();
+    count.deepest = std::max(count.deepest, (reach - distance) / island.smaller[k]);
+  }
+  island.lost = lost_by(island, balls);
+  if (log.wanted) note(island, balls, outcome, log);
+}
+
+// By where and how fast its balls are now, and would be if they had flown free: what flight itself
+// took, by drag, is booked there.  Of a ball that was asleep nothing is.
+double LastingContacts::lost_by(const Island& island, const Balls& balls) const {
+  double lost = 0;
+  for (std::size_t m = 0; m < island.members.size(); ++m) {
+    const Member& member = island.members[m];
+    const IslandBody& body = island.bodies[m];
+    const Vec2 from = member.woken ? member.start : member.flown;
+    const Vec2 was = member.woken ? body.before : body.free;
+    const double spin = balls.spin.size() > 0 ? balls.spin[member.ball] : 0;
+    const double turning = spin * balls.radius[member.ball];
+    const double turned = (body.turning - turning) * (body.turning + turning) / 2;
+    const Vec2 now = velocity(balls, member.ball);
+    const double moving = (was - now).dot(was + now) + turned;
+    const Vec2 way = nearest_image(balls.at(member.ball) - from, domain_);
+    lost += (moving / 2 + rule_.acceleration.dot(way)) / body.inverse_mass;
+  }
+  return lost;
+}
+
+// Every contact that carried an impulse; what the island has lost is shared out by what each took
+// from the motion across it.
+void LastingContacts::note(const Island& island, const Balls& balls, const IslandOutcome& outcome,
+                           ImpactLog& log) const {
+  const std::size_t first = log.impacts.size();
+  const auto carried = std::count_if(outcome.normal.begin(), outcome.normal.end(),
+                                     [](double impulse) { return impulse > 0; });
+  double shares = 0;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (!(outcome.normal[k] > 0)) continue;
+    const IslandContact& c = island.contacts[k];
+    const Member& a = island.members[static_cast<std::size_t>(c.a)];
+    const bool wall = k >= island.pairs;
+    Impact& impact = log.impacts.emplace_back();
+    impact.time = log.time;
+    impact.kind = outcome.bounced[k] == 0 ? ImpactKind::rest
+                  : carried > 1           ? ImpactKind::joint
+                  : wall                  ? ImpactKind::wall
+                                          : ImpactKind::ball;
+    impact.a = a.ball;
+    impact.position = a.flown;
+    impact.normal = c.normal;
+    impact.impulse = outcome.normal[k];
+    impact.tangential = outcome.along[k];
+    impact.distance = c.gap + balls.radius[a.ball];
+    if (wall) {
+      const std::size_t axis = c.normal.x() != 0 ? 0 : 1;
+      impact.wall = side_of(axis, c.normal[axis] > 0);
+    } else {
+      const std::uint32_t b = island.others[k];
+      impact.b = b;
+      impact.distance += balls.radius[b];
+      if (b < a.ball) {
+        std::swap(impact.a, impact.b);
+        impact.position =
+            c.b < 0 ? balls.at(b) : island.members[static_cast<std::size_t>(c.b)].flown;
+        impact.normal = -impact.normal;
+      }
+    }
+    const IslandBody& body = island.bodies[static_cast<std::size_t>(c.a)];
+    Vec2 speed = body.free + outcome.after[static_cast<std::size_t>(c.a)];
+    if (c.b >= 0) {
+      speed -= island.bodies[static_cast<std::size_t>(c.b)].free +
+               outcome.after[static_cast<std::size_t>(c.b)];
+    }
+    impact.energy_lost = std::max(0.0, outcome.normal[k] * speed.dot(c.normal) / 2);
+    shares += impact.energy_lost;
+  }
+  for (std::size_t k = first; k < log.impacts.size(); ++k) {
+    double& part = log.impacts[k].energy_lost;
+    part = shares > 0 ? std::max(island.lost, 0.0) * (part / shares) : 0;
+  }
+}
+
+double LastingContacts::farthest_push() const {
+  double farthest = 0;
+  for (const Island& island : islands_) farthest = std::max(farthest, island.push);
+  return farthest;
+}
+
+void LastingContacts::undo(Balls& balls) {
+  for (Island& island : islands_) {
+    for (Member& member : island.members) {
+      put(balls, member, member.flown, member.flown_velocity, member.spin);
+    }
+  }
+}
+
+void LastingContacts::settle(std::span<double> lost) {
+  for (const Island& island : islands_) {
+    if (!lost.empty()) lost[island.members.front().ball] += island.lost;
+    if (!island.sleeps) continue;
+    for (const Member& member : island.members) asleep_[member.ball] = 1;
+    awake_ -= island.members.size();
+    sleepers_ += island.members.size();
+  }
+}
+
+// Groups of balls that stand still and are near each other: held or not, as if they had just
+// stopped.
+void LastingContacts::find_asleep(const Balls& balls, std::span<const Pair> near) {
+  wake_all(balls);
+  begin(balls, 0, balls.size());
+  std::vector<char> still(balls.size(), 0);
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const bool turns = balls.spin.size() > 0 && balls.spin[i] != 0;
+    still[i] = !balls.fixed(i) && velocity(balls, i) == Vec2{0, 0} && !turns ? 1 : 0;
+    parent_[i] = static_cast<std::uint32_t>(i);
+  }
+  for (const Pair& pair : near) {
+    if (still[pair.first] == 0 || still[pair.second] == 0) continue;
+    const std::uint32_t a = root(pair.first);
+    const std::uint32_t b = root(pair.second);
+    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+  }
+  islands_.clear();
+  for (std::uint32_t i = 0; i < balls.size(); ++i) {
+    if (still[i] == 0) continue;
+    if (root(i) == i) {
+      island_of_[i] = static_cast<int>(islands_.size());
+      islands_.emplace_back();
+    }
+    add_member(islands_[static_cast<std::size_t>(island_of_[root(i)])], balls, i);
+  }
+  for (Island& island : islands_) {
+    order(island);
+    for (std::size_t k = 0; k < island.members.size(); ++k) {
+      place_[island.members[k].ball] = static_cast<int>(k);
+    }
+  }
+  for (const Pair& pair : near) {
+    const bool first = still[pair.first] != 0;
+    const bool second = still[pair.second] != 0;
+    // What moves carries nothing.
+    if ((!first && !balls.fixed(pair.first)) || (!second && !balls.fixed(pair.second))) continue;
+    if (!first && !second) continue;
+    const auto number =
+        static_cast<std::size_t>(island_of_[root(first ? pair.first : pair.second)]);
+    add_pair(islands_[number], balls, first ? place_[pair.first] : -1,
+             second ? place_[pair.second] : -1, pair);
+  }
+  IslandStep step;
+  for (Island& island : islands_) {
+    add_walls(island, balls);
+    island.sleeps = step.holds(island.bodies, island.contacts, balls.spin.size() > 0, step_rule());
+  }
+  settle({});
+  islands_.clear();
+}
+
+}  // namespace carom::contact

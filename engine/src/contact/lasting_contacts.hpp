@@ -1,0 +1,140 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/impact_log.hpp"
+#include "contact/island.hpp"
+#include "contact/pair_list.hpp"
+#include "state/balls.hpp"
+#include "state/domain.hpp"
+#include "state/totals.hpp"
+
+namespace carom::contact {
+
+/// What contacts that last depend on beside the balls.
+struct LastingRule {
+  double step = 0;
+  Vec2 acceleration{0, 0};
+  std::array<double, 2> fall{0, 0};  ///< how far a ball at rest flies in a step, by axis
+  std::array<double, 2> gain{0, 0};  ///< and how fast it is then
+  double restitution = 1;
+  double wall_restitution = 1;
+  double friction = 0;
+  double wall_friction = 0;
+  double rest_speed = 0;
+};
+
+/// Whether lasting contacts are looked for: gravity presses balls together that come to rest by
+/// losses, or whose masses differ so much that one lies on the other for many steps.
+[[nodiscard]] bool contacts_last(const Effects& effects, const Balls& balls);
+
+/// The islands of balls that touch in a step of method `overlap`, and which balls are asleep.
+///
+/// In each step every ball flies free; balls that then overlap, or are beyond a wall, form islands
+/// with all that are near them, and an island is solved as a whole from where it was at the start.
+/// Balls that stand still and that forces within the friction cones can hold are asleep: they are
+/// part of no island, until a ball that is awake comes into one of them.
+///
+/// Holds: nothing is remembered beside the balls: who is asleep stands still exactly, and is found
+/// asleep again.  No order of balls or pairs changes a bit.
+/// Threads: islands of one step are resolved at the same time; the rest by one thread.
+class LastingContacts {
+ public:
+  /// Balls within this part of their reach of each other, or of a wall, are of one island.
+  static constexpr double kNear = 0.125;
+
+  struct Count {
+    std::uint64_t ball_ball = 0;
+    std::uint64_t ball_wall = 0;
+    double deepest = 0;  ///< overlap at the end of the step, by the smaller radius
+  };
+
+  LastingContacts(const Domain& domain, const LastingRule& rule, Turns& turns)
+      : domain_(domain), rule_(rule), turns_(turns) {}
+  LastingContacts(const LastingContacts&) = delete;
+  LastingContacts& operator=(const LastingContacts&) = delete;
+
+  /// Something has changed the balls or the rules: all are awake, but those that stand still among
+  /// others they are near, `pairs`, and are held.
+  void wake_all(const Balls& balls);
+  void find_asleep(const Balls& balls, std::span<const Pair> near);
+  [[nodiscard]] bool all_asleep() const { return awake_ == 0; }
+  [[nodiscard]] bool asleep(std::size_t ball) const { return asleep_[ball] != 0; }
+
+  /// Before a flight: notes where balls [begin, end) start.
+  void begin(const Balls& balls, std::size_t begin, std::size_t end);
+  /// After it: puts those asleep back, and notes who is beyond a wall.
+  void end(Balls& balls, std::size_t begin, std::size_t end, std::vector<std::uint32_t>& out) const;
+
+  /// Finds the islands.  `near`: pairs that are near after the flight, in order.
+  void form(Balls& balls, std::span<const Pair> near, std::span<const std::uint32_t> out);
+  [[nodiscard]] std::size_t islands() const { return islands_.size(); }
+  [[nodiscard]] std::size_t largest() const { return largest_; }
+  /// May it fall asleep: this is asked at some steps only.
+  void resolve(std::size_t island, Balls& balls, bool may_sleep, IslandStep& step, Count& count,
+               ImpactLog& log);
+  /// The farthest that a ball came to be from where it had flown.
+  [[nodiscard]] double farthest_push() const;
+  /// Puts the balls of all islands back to where they had flown.
+  void undo(Balls& balls);
+  /// Ends a step: counts who has fallen asleep, and adds what each island has lost to one of its
+  /// balls, unless `lost` is empty.
+  void settle(std::span<double> lost);
+
+ private:
+  struct Member {
+    std::uint32_t ball = 0;
+    Vec2 start{0, 0};
+    Vec2 flown{0, 0};  // where and how fast it would be without contacts
+    Vec2 flown_velocity{0, 0};
+    double spin = 0;
+    bool woken = false;                        // it was asleep at the start
+    std::array<std::int64_t, 2> turned{0, 0};  // more turns round periodic axes than flown
+  };
+  struct Island {
+    std::vector<Member> members;
+    std::vector<IslandBody> bodies;
+    std::vector<IslandContact> contacts;
+    std::vector<double> smaller;        // by contact: the smaller radius
+    std::vector<std::uint32_t> others;  // by contact of balls: the second one
+    std::size_t pairs = 0;              // contacts before this are of balls, the others with walls
+    bool sleeps = false;
+    double push = 0;
+    double lost = 0;  // energy, beside what flight took
+  };
+
+  [[nodiscard]] std::uint32_t root(std::uint32_t ball);
+  void wake_struck(Balls& balls, std::span<const Pair> near);
+  void wake(Balls& balls, std::uint32_t ball);
+  [[nodiscard]] bool overlap(const Balls& balls, const Pair& pair) const;
+  void add_member(Island& island, const Balls& balls, std::uint32_t ball);
+  void add_pair(Island& island, const Balls& balls, int a, int b, const Pair& pair) const;
+  void add_walls(Island& island, const Balls& balls) const;
+  void order(Island& island) const;
+  [[nodiscard]] double lost_by(const Island& island, const Balls& balls) const;
+  void note(const Island& island, const Balls& balls, const IslandOutcome& outcome,
+            ImpactLog& log) const;
+  [[nodiscard]] Vec2 touching_normal(const Vec2& r, const Vec2& way, double reach) const;
+  [[nodiscard]] IslandStep::Rule step_rule() const;
+  void put(Balls& balls, Member& member, const Vec2& place, const Vec2& velocity, double spin);
+
+  const Domain& domain_;
+  const LastingRule& rule_;
+  Turns& turns_;
+  std::array<std::vector<double>, 2> start_;
+  std::array<std::vector<double>, 2> before_;
+  std::vector<char> asleep_;
+  std::vector<char> slept_;  // as it was at the start of the step
+  std::size_t awake_ = 0;
+  std::size_t sleepers_ = 0;
+  std::vector<std::uint32_t> parent_;
+  std::vector<int> island_of_;  // by root ball
+  std::vector<int> place_;      // by ball: its number in its island
+  std::vector<Island> islands_;
+  std::size_t largest_ = 0;
+};
+
+}  // namespace carom::contact
