@@ -182,7 +182,9 @@ std::map<std::string, Names> functions_of_effects() {
   const std::map<std::string, std::string> kEffectOfFile{{"walls.cpp.o", "walls"},
                                                          {"collisions.cpp.o", "collisions"},
                                                          {"contact_group.cpp.o", "collisions"},
-                                                         {"pile.cpp.o", "collisions"},
+                                                         {"wall_contacts.cpp.o", "walls"},
+                                                         {"ball_contact.cpp.o", "collisions"},
+                                                         {"island_friction.cpp.o", "friction"},
                                                          {"gravity.cpp.o", "gravity"},
                                                          {"drag.cpp.o", "drag"},
                                                          {"friction.cpp.o", "friction"},
@@ -196,7 +198,8 @@ std::map<std::string, Names> functions_of_effects() {
     if (line.ends_with(".o:")) {
       const auto found = kEffectOfFile.find(line.substr(0, line.size() - 1));
       effect = found == kEffectOfFile.end() ? "" : found->second;
-    } else if (!effect.empty() && line.find(" T _ZN5carom7effects") != std::string::npos) {
+    } else if (!effect.empty() && (line.find(" T _ZN5carom7effects") != std::string::npos ||
+                                   line.find(" T _ZN5carom7contact") != std::string::npos)) {
       functions[effect].insert(line.substr(line.rfind(' ') + 1));
     }
   }

@@ -91,10 +91,10 @@ TEST(FixedBalls, MayOverlapEachOther) {
     EXPECT_TRUE(find_problems(scene).empty());
     Session session(scene);
     session.advance_clock_to(5);
-    Ball another{{3.1, 2.2}};
+    Ball another{{4.4, 2.2}};
     another.fixed = true;
     session.apply(command::Add{another});
-    EXPECT_THROW(session.apply(command::Add{Ball{{3.1, 2.2}}}), CommandError);
+    EXPECT_THROW(session.apply(command::Add{Ball{{4.4, 2.2}}}), CommandError);
     session.advance_clock_to(6);
     const std::vector<Ball> balls = session.simulation().state();
     for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(balls[k].position, scene.balls[k].position);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/island_friction.hpp"
+
 namespace carom::contact {
 namespace {
 
@@ -12,9 +14,9 @@ constexpr double kStatic = 0x1p-24;  // the same for what is held at rest
 constexpr double kApart = 0x1p-8;    // how fast what overlaps comes apart
 constexpr double kClosed = 0x1p-14;  // a gap that is none, by the way of that speed in a step
 constexpr double kRounding = 0x1p-40;
-constexpr double kSlip = 0x1p-6;
-constexpr double kSlipChange = 0x1p-5;  // how exactly a slip is known
-constexpr int kSlipRounds = 6;
+constexpr double kSlip = 0x1p-5;
+constexpr double kSlipChange = 0x1p-4;  // how exactly a slip is known
+constexpr int kSlipRounds = 2;
 constexpr int kBounceRounds = 4;
 constexpr int kHalvings = 40;
 
@@ -106,8 +108,8 @@ void IslandStep::pose(Work<D>& work, const Island& island, const std::vector<cha
     const IslandContact& c = island.contacts[k];
     const IslandBody& a = island.bodies[at(c.a)];
     const Vec2 t = across(c.normal);
-    const double offset = bounced[k] != 0 ? -c.restitution * arrival(island.bodies, c, island.rule)
-                                          : closing_room(c, island.rule);
+    const double offset =
+        bounced[k] != 0 ? -c.restitution * arrival(island.bodies, c, island.rule) : work.rooms[k];
     for (int side = 1; side >= (D == 2 ? 1 : -1); side -= 2) {
       const double mu = D == 3 ? side * c.friction : 0;
       Row<D> row;
@@ -167,26 +169,27 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
   if (D == 2) return solve(work, island, bounced, slip, outcome);
   // Slower than this is sticking.
   const double sticks = kSlip * island.rule.speed;
-  const auto slip_of = [&](const IslandContact& c, const auto& motion, const auto& turning) {
-    double along = across(c.normal).dot(-motion(c.a)) - turning(c.a);
-    if (c.b >= 0) along += across(c.normal).dot(motion(c.b)) - turning(c.b);
-    return std::abs(along) > sticks ? std::abs(along) : 0;
+  const auto slips = [&](std::size_t k, const auto& motion) {
+    const IslandContact& c = island.contacts[k];
+    const double along = std::abs(slip_of(c, motion(c.a), c.b < 0 ? SurfaceMotion{} : motion(c.b)));
+    return along > sticks ? along : 0;
   };
-  const auto before = [&](int i) { return island.bodies[at(i)].before; };
-  const auto turned = [&](int i) { return island.bodies[at(i)].turning; };
-  const auto after = [&](int i) { return outcome.after[at(i)]; };
-  const auto turning = [&](int i) { return outcome.turning[at(i)]; };
+  const auto before = [&](int i) -> SurfaceMotion {
+    return {island.bodies[at(i)].before, island.bodies[at(i)].turning};
+  };
+  const auto after = [&](int i) -> SurfaceMotion {
+    return {outcome.after[at(i)], outcome.turning[at(i)]};
+  };
   for (std::size_t k = 0; k < slip.size(); ++k) {
-    slip[k] = slip_of(island.contacts[k], before, turned);
+    slip[k] = slips(k, before);
   }
   bool solved = false;
   for (int round = 0; round < kSlipRounds; ++round) {
     solved = solve(work, island, bounced, slip, outcome);
     bool changes = false;
     for (std::size_t k = 0; k < slip.size(); ++k) {
-      const IslandContact& c = island.contacts[k];
-      if (c.friction == 0) continue;
-      const double now = slip_of(c, after, turning);
+      if (island.contacts[k].friction == 0) continue;
+      const double now = slips(k, after);
       changes = changes || std::abs(now - slip[k]) > std::max(sticks, kSlipChange * now);
       slip[k] = round < 2 ? now : (now + slip[k]) / 2;  // it may go round in circles
     }
@@ -197,7 +200,7 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
     bool closes = false;
     for (std::size_t k = 0; k < slip.size(); ++k) {
       const IslandContact& c = island.contacts[k];
-      const double room = bounced[k] != 0 ? 0 : closing_room(c, island.rule);
+      const double room = bounced[k] != 0 ? 0 : work.rooms[k];
       if (!(opening_of(outcome.after, c) + room < -kSlip * island.rule.speed)) continue;
       closes = true;
       slip[k] = 0;
@@ -216,6 +219,8 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
   const auto& contacts = island.contacts;
   const std::size_t n = bodies.size();
   outcome.bounced.assign(contacts.size(), 0);
+  work.rooms.clear();
+  for (const IslandContact& c : contacts) work.rooms.push_back(closing_room(c, rule));
   outcome.solved = solve(work, island, outcome.bounced, outcome);
 
   const IslandOutcome plastic = outcome;
@@ -231,11 +236,19 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
       more = true;
     }
     if (!more) break;
+    // The balls are then where the step without bounces takes them; what is open there may close.
+    for (std::size_t k = 0; k < contacts.size() && !any; ++k) {
+      const double gap = contacts[k].gap + rule.step * opening_of(plastic.after, contacts[k]);
+      work.rooms[k] = std::max(work.rooms[k], gap / rule.step);
+    }
     any = true;
-    const bool solved = solve(work, island, bounced, outcome);
-    outcome.solved = outcome.solved && solved;
+    if (solve(work, island, bounced, outcome)) continue;
+    // Wedged: no velocities do all the bounces.
+    outcome = plastic;
+    any = false;
+    break;
   }
-  outcome.bounced = bounced;
+  if (any) outcome.bounced = bounced;
   // What nothing touches flies free; the others go with the mean of their velocities before and
   // after, which is right to second order, or, where there are impacts, as far as they touch.
   outcome.mean.resize(n);
@@ -329,12 +342,12 @@ void IslandStep::take_single(const Island& island, IslandOutcome& outcome) {
   const Vec2 t = across(c.normal);
   double along = 0;
   if (c.friction > 0) {
-    const Vec2 other = c.b < 0 ? kStill : motion[at(c.b)];
-    const double slip =
-        t.dot(other - motion[a]) - outcome.turning[a] - (c.b < 0 ? 0 : outcome.turning[at(c.b)]);
+    const SurfaceMotion other =
+        c.b < 0 ? SurfaceMotion{} : SurfaceMotion{motion[at(c.b)], outcome.turning[at(c.b)]};
+    const double slip = slip_of(c, {motion[a], outcome.turning[a]}, other);
     // The impact comes within the step: what it does not have to hold of the pull rubs nothing.
     const double pressed = bounce ? (1 + c.restitution) * arrival(island.bodies, c, rule) : gained;
-    along = std::clamp(-slip / 3, -c.friction * pressed, c.friction * pressed);
+    along = friction_against(slip, c.friction * pressed);
   }
   outcome.along[0] = along / (of_a + of_b);
   const auto push = [&](std::size_t body, int side, double share) {
@@ -355,6 +368,10 @@ bool IslandStep::holds(Work<D>& work, const Island& island) {
   const double still = kStatic * island.rule.speed;
   const std::vector<double> slip(island.contacts.size(), 0.0);
   const std::vector<char> bounces(island.contacts.size(), 0);
+  work.rooms.clear();
+  for (const IslandContact& c : island.contacts) {
+    work.rooms.push_back(closing_room(c, island.rule));
+  }
   pose(work, island, bounces, slip);
   work.solver.solve(work.problem, still / 64, work.impulses);
   work.problem.spread(work.impulses, work.motion, true);

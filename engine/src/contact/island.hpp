@@ -75,6 +75,7 @@ class IslandStep {
   struct Work {
     ContactProblem<D> problem;
     InteriorPoint<D> solver;
+    std::vector<double> rooms;  // how fast each contact may close
     std::vector<double> impulses;
     std::vector<double> motion;
   };

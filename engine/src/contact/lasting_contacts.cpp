@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
+
+#include "contact/ball_contact.hpp"
+#include "contact/island_account.hpp"
+#include "contact/wall_contacts.hpp"
 
 namespace carom::contact {
 namespace {
@@ -46,6 +49,7 @@ bool contacts_last(const Effects& effects, const Balls& balls) {
 void LastingContacts::wake_all(const Balls& balls) {
   asleep_.assign(balls.size(), 0);
   slept_.assign(balls.size(), 0);
+  driven_.assign(balls.size(), 0);
   parent_.resize(balls.size());
   island_of_.assign(balls.size(), -1);
   place_.assign(balls.size(), -1);
@@ -55,6 +59,7 @@ void LastingContacts::wake_all(const Balls& balls) {
   }
   awake_ = 0;
   sleepers_ = 0;
+  woken_ = 0;
   for (std::size_t i = 0; i < balls.size(); ++i) awake_ += balls.fixed(i) ? 0 : 1;
 }
 
@@ -107,6 +112,7 @@ bool LastingContacts::overlap(const Balls& balls, const Pair& pair) const {
 void LastingContacts::wake(Balls& balls, std::uint32_t ball) {
   asleep_[ball] = 0;
   ++awake_;
+  ++woken_;
   --sleepers_;
   const std::size_t k = ball;
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -143,11 +149,10 @@ void LastingContacts::form(Balls& balls, std::span<const Pair> near,
   largest_ = 0;
   if (near.empty() && out.empty()) return;
   std::vector<std::uint32_t> beyond(out.begin(), out.end());
-  if (sleepers_ > 0) {
-    const std::vector<char> slept = asleep_;
-    wake_struck(balls, near);
-    for (std::uint32_t i = 0; i < slept.size(); ++i) {
-      if (slept[i] != asleep_[i]) beyond.push_back(i);  // it is solved, wherever it lies
+  if (sleepers_ > 0) wake_struck(balls, near);
+  if (sleepers_ > 0 || woken_ > 0) {
+    for (std::uint32_t i = 0; i < slept_.size(); ++i) {
+      if (slept_[i] != asleep_[i]) beyond.push_back(i);  // it is solved, wherever it lies
     }
   }
   const auto moves = [&](std::uint32_t i) { return !balls.fixed(i) && asleep_[i] == 0; };
@@ -187,12 +192,7 @@ void LastingContacts::form(Balls& balls, std::span<const Pair> near,
     const int island = island_of_[root(i)];
     if (island >= 0) add_member(islands_[static_cast<std::size_t>(island)], balls, i);
   }
-  for (Island& island : islands_) {
-    order(island);
-    for (std::size_t k = 0; k < island.members.size(); ++k) {
-      place_[island.members[k].ball] = static_cast<int>(k);
-    }
-  }
+  number_members();
   for (const Pair& pair : near) {
     const bool first = moves(pair.first);
     const bool second = moves(pair.second);
@@ -204,7 +204,9 @@ void LastingContacts::form(Balls& balls, std::span<const Pair> near,
     add_pair(islands_[static_cast<std::size_t>(number)], balls, a, b, pair);
   }
   for (Island& island : islands_) {
-    add_walls(island, balls);
+    if (has_walls())
+      add_wall_contacts(island, domain_, {rule_.wall_restitution, rule_.wall_friction}, driven_);
+    island.lay_out(rule_.acceleration, rule_.step);
     largest_ = std::max(largest_, island.members.size());
   }
 }
@@ -214,124 +216,48 @@ void LastingContacts::add_member(Island& island, const Balls& balls, std::uint32
   Member member;
   member.ball = ball;
   member.start = column(start_, ball);
+  member.before = column(before_, ball);
   member.flown = balls.at(ball);
   member.flown_velocity = velocity(balls, ball);
+  member.flight = nearest_image(member.flown - member.start, domain_);
+  member.inverse_mass = balls.inverse_mass[k];
+  member.radius = balls.radius[k];
   member.woken = slept_[ball] != 0;
   if (balls.spin.size() > 0) member.spin = balls.spin[k];
   island.members.push_back(member);
 }
 
-// By place, so that no numbering of the balls is seen.
-void LastingContacts::order(Island& island) const {
-  std::sort(island.members.begin(), island.members.end(), [](const Member& a, const Member& b) {
-    if (a.start.y() != b.start.y()) return a.start.y() < b.start.y();
-    if (a.start.x() != b.start.x()) return a.start.x() < b.start.x();
-    return a.ball < b.ball;
-  });
-}
-
-Vec2 LastingContacts::touching_normal(const Vec2& r, const Vec2& way, double reach) const {
-  const double square = r.squaredNorm();
-  const double along = r.dot(way);
-  const double length = way.squaredNorm();
-  // Where they met on the way, if that is far and they do meet.
-  constexpr double kFar = 0x1p-8;
-  if (square > reach * reach && along < 0 && length > kFar * reach * reach) {
-    const double across = r.x() * way.y() - r.y() * way.x();
-    const double root = length * reach * reach - across * across;
-    if (root > 0) {
-      const double part = (square - reach * reach) / (std::sqrt(root) - along);
-      const Vec2 met = r + part * way;
-      return met / met.norm();
+void LastingContacts::number_members() {
+  for (const Island& island : islands_) {
+    for (std::size_t k = 0; k < island.members.size(); ++k) {
+      place_[island.members[k].ball] = static_cast<int>(k);
     }
   }
-  if (square > 0) return r / std::sqrt(square);
-  return {0, 1};
 }
 
 void LastingContacts::add_pair(Island& island, const Balls& balls, int a, int b,
                                const Pair& pair) const {
   std::uint32_t from = pair.first;
   std::uint32_t to = pair.second;
-  if (a < 0 || (b >= 0 && b < a)) {
+  if (a < 0) {
     std::swap(a, b);
     std::swap(from, to);
   }
   const double radius = balls.radius[from];
   const double other = balls.radius[to];
-  const double reach = radius + other;
   const Vec2 r = nearest_image(column(start_, to) - column(start_, from), domain_);
   const Vec2 end = nearest_image(balls.at(to) - balls.at(from), domain_);
-  IslandContact contact;
+  IslandContact contact = ball_contact(r, nearest_image(end - r, domain_), radius + other);
   contact.a = a;
   contact.b = b;
-  contact.normal = touching_normal(r, nearest_image(end - r, domain_), reach);
-  contact.gap = contact.normal.dot(r) - reach;
   contact.friction = rule_.friction;
   contact.restitution = rule_.restitution;
-  island.contacts.push_back(contact);
-  island.smaller.push_back(std::min(radius, other));
-  island.others.push_back(to);
+  island.add_contact(contact, {std::min(radius, other), to, false});
 }
 
-void LastingContacts::add_walls(Island& island, const Balls& balls) const {
-  std::vector<std::size_t> rank(island.contacts.size());
-  std::iota(rank.begin(), rank.end(), 0U);
-  std::sort(rank.begin(), rank.end(), [&](std::size_t k, std::size_t l) {
-    const IslandContact& c = island.contacts[k];
-    const IslandContact& d = island.contacts[l];
-    if (c.a != d.a) return c.a < d.a;
-    if (c.b != d.b) return c.b < d.b;
-    if (c.normal.y() != d.normal.y()) return c.normal.y() < d.normal.y();
-    return c.normal.x() < d.normal.x();
-  });
-  std::vector<IslandContact> contacts;
-  std::vector<double> smaller;
-  std::vector<std::uint32_t> others;
-  for (const std::size_t k : rank) {
-    contacts.push_back(island.contacts[k]);
-    smaller.push_back(island.smaller[k]);
-    others.push_back(island.others[k]);
-  }
-  island.contacts.swap(contacts);
-  island.others.swap(others);
-  island.smaller.swap(smaller);
-  island.pairs = island.contacts.size();
-  for (std::size_t m = 0; m < island.members.size(); ++m) {
-    const Member& member = island.members[m];
-    const double radius = balls.radius[member.ball];
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      if (!domain_.solid(axis)) continue;
-      const std::size_t i = axis;
-      for (const int side : {-1, 1}) {
-        const double stop = side < 0 ? domain_.lowest(axis, radius) : domain_.highest(axis, radius);
-        const double gap = side * (stop - member.start[i]);
-        if (std::min(gap, side * (stop - member.flown[i])) > 2 * kNear * radius) continue;
-        IslandContact contact;
-        contact.a = static_cast<int>(m);
-        contact.normal[i] = side;
-        contact.gap = gap;
-        contact.friction = rule_.wall_friction;
-        contact.restitution = rule_.wall_restitution;
-        island.contacts.push_back(contact);
-        island.smaller.push_back(radius);
-      }
-    }
-  }
-  for (const Member& member : island.members) {
-    const std::size_t k = member.ball;
-    IslandBody body;
-    body.inverse_mass = balls.inverse_mass[k];
-    body.before = column(before_, member.ball);
-    body.free = member.flown_velocity;
-    body.free_mean = nearest_image(member.flown - member.start, domain_) / rule_.step;
-    body.turning = member.spin * balls.radius[k];
-    island.bodies.push_back(body);
-  }
-}
-
-IslandStep::Rule LastingContacts::step_rule() const {
-  return {rule_.step, rule_.acceleration, rule_.rest_speed, rule_.acceleration.norm() * rule_.step};
+IslandStep::Rule LastingContacts::step_rule(const Frame& frame) const {
+  return {rule_.step, frame.into(rule_.acceleration), rule_.rest_speed,
+          rule_.acceleration.norm() * rule_.step};
 }
 
 void LastingContacts::put(Balls& balls, Member& member, const Vec2& place, const Vec2& velocity,
@@ -365,7 +291,7 @@ void LastingContacts::resolve(std::size_t number, Balls& balls, bool may_sleep, 
                               Count& count, ImpactLog& log) {
   thread_local IslandOutcome outcome;
   Island& island = islands_[number];
-  const IslandStep::Rule rule = step_rule();
+  const IslandStep::Rule rule = step_rule(island.frame);
   const bool spins = balls.spin.size() > 0;
   step.take(island.bodies, island.contacts, spins, rule, outcome);
   const double still = (island.members.size() > 1 ? kStill : kStillAlone) * rule.speed;
@@ -373,7 +299,7 @@ void LastingContacts::resolve(std::size_t number, Balls& balls, bool may_sleep, 
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     slow = slow && outcome.bounced[k] == 0;
     if (outcome.bounced[k] == 0) continue;
-    ++(k < island.pairs ? count.ball_ball : count.ball_wall);
+    ++(island.sources[k].wall ? count.ball_wall : count.ball_ball);
   }
   for (std::size_t m = 0; m < island.members.size() && slow; ++m) {
     const Vec2& v = outcome.after[m];
@@ -381,6 +307,7 @@ void LastingContacts::resolve(std::size_t number, Balls& balls, bool may_sleep, 
         std::abs(v.x()) < still && std::abs(v.y()) < still && std::abs(outcome.turning[m]) < still;
   }
   island.sleeps = slow && step.holds(island.bodies, island.contacts, spins, rule);
+  island.turn_back(outcome);
   for (std::size_t m = 0; m < island.members.size(); ++m) {
     Member& member = island.members[m];
     if (island.sleeps) {
@@ -390,7 +317,11 @@ void LastingContacts::resolve(std::size_t number, Balls& balls, bool may_sleep, 
     const Vec2 place = member.start + rule_.step * outcome.mean[m];
     const double radius = balls.radius[member.ball];
     put(balls, member, place, outcome.after[m], outcome.turning[m] / radius);
-    const Vec2 pushed = rule_.step * (outcome.mean[m] - island.bodies[m].free_mean);
+    if (has_walls() && driven_[member.ball] == 0 && beyond_far_wall(member, place, domain_)) {
+      driven_[member.ball] = 1;
+      island.driven = true;
+    }
+    const Vec2 pushed = rule_.step * outcome.mean[m] - member.flight;
     island.push = std::max(island.push, pushed.norm());
   }
   for (std::size_t k = 0; k < island.contacts.size() && !island.sleeps; ++k) {
@@ -400,84 +331,10 @@ void LastingContacts::resolve(std::size_t number, Balls& balls, bool may_sleep, 
     const Member& b = island.members[static_cast<std::size_t>(c.b)];
     const double reach = balls.radius[a.ball] + balls.radius[b.ball];
     const double distance = nearest_image(balls.at(b.ball) - balls.at(a.ball), domain_).norm();
-    count.deepest = std::max(count.deepest, (reach - distance) / island.smaller[k]);
+    count.deepest = std::max(count.deepest, (reach - distance) / island.sources[k].smaller);
   }
-  island.lost = lost_by(island, balls);
-  if (log.wanted) note(island, balls, outcome, log);
-}
-
-// By where and how fast its balls are now, and would be if they had flown free: what flight itself
-// took, by drag, is booked there.  Of a ball that was asleep nothing is.
-double LastingContacts::lost_by(const Island& island, const Balls& balls) const {
-  double lost = 0;
-  for (std::size_t m = 0; m < island.members.size(); ++m) {
-    const Member& member = island.members[m];
-    const IslandBody& body = island.bodies[m];
-    const Vec2 from = member.woken ? member.start : member.flown;
-    const Vec2 was = member.woken ? body.before : body.free;
-    const double spin = balls.spin.size() > 0 ? balls.spin[member.ball] : 0;
-    const double turning = spin * balls.radius[member.ball];
-    const double turned = (body.turning - turning) * (body.turning + turning) / 2;
-    const Vec2 now = velocity(balls, member.ball);
-    const double moving = (was - now).dot(was + now) + turned;
-    const Vec2 way = nearest_image(balls.at(member.ball) - from, domain_);
-    lost += (moving / 2 + rule_.acceleration.dot(way)) / body.inverse_mass;
-  }
-  return lost;
-}
-
-// Every contact that carried an impulse; what the island has lost is shared out by what each took
-// from the motion across it.
-void LastingContacts::note(const Island& island, const Balls& balls, const IslandOutcome& outcome,
-                           ImpactLog& log) const {
-  const std::size_t first = log.impacts.size();
-  const auto carried = std::count_if(outcome.normal.begin(), outcome.normal.end(),
-                                     [](double impulse) { return impulse > 0; });
-  double shares = 0;
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (!(outcome.normal[k] > 0)) continue;
-    const IslandContact& c = island.contacts[k];
-    const Member& a = island.members[static_cast<std::size_t>(c.a)];
-    const bool wall = k >= island.pairs;
-    Impact& impact = log.impacts.emplace_back();
-    impact.time = log.time;
-    impact.kind = outcome.bounced[k] == 0 ? ImpactKind::rest
-                  : carried > 1           ? ImpactKind::joint
-                  : wall                  ? ImpactKind::wall
-                                          : ImpactKind::ball;
-    impact.a = a.ball;
-    impact.position = a.flown;
-    impact.normal = c.normal;
-    impact.impulse = outcome.normal[k];
-    impact.tangential = outcome.along[k];
-    impact.distance = c.gap + balls.radius[a.ball];
-    if (wall) {
-      const std::size_t axis = c.normal.x() != 0 ? 0 : 1;
-      impact.wall = side_of(axis, c.normal[axis] > 0);
-    } else {
-      const std::uint32_t b = island.others[k];
-      impact.b = b;
-      impact.distance += balls.radius[b];
-      if (b < a.ball) {
-        std::swap(impact.a, impact.b);
-        impact.position =
-            c.b < 0 ? balls.at(b) : island.members[static_cast<std::size_t>(c.b)].flown;
-        impact.normal = -impact.normal;
-      }
-    }
-    const IslandBody& body = island.bodies[static_cast<std::size_t>(c.a)];
-    Vec2 speed = body.free + outcome.after[static_cast<std::size_t>(c.a)];
-    if (c.b >= 0) {
-      speed -= island.bodies[static_cast<std::size_t>(c.b)].free +
-               outcome.after[static_cast<std::size_t>(c.b)];
-    }
-    impact.energy_lost = std::max(0.0, outcome.normal[k] * speed.dot(c.normal) / 2);
-    shares += impact.energy_lost;
-  }
-  for (std::size_t k = first; k < log.impacts.size(); ++k) {
-    double& part = log.impacts[k].energy_lost;
-    part = shares > 0 ? std::max(island.lost, 0.0) * (part / shares) : 0;
-  }
+  island.lost = lost_by(island, balls, domain_, rule_.acceleration);
+  if (log.wanted) note_contacts(island, balls, outcome, log);
 }
 
 double LastingContacts::farthest_push() const {
@@ -486,16 +343,28 @@ double LastingContacts::farthest_push() const {
   return farthest;
 }
 
+bool LastingContacts::any_driven() const {
+  return std::any_of(islands_.begin(), islands_.end(),
+                     [](const Island& island) { return island.driven; });
+}
+
 void LastingContacts::undo(Balls& balls) {
-  for (Island& island : islands_) {
-    for (Member& member : island.members) {
-      put(balls, member, member.flown, member.flown_velocity, member.spin);
+  for (const Island& island : islands_) {
+    for (const Member& member : island.members) {
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        balls.position[axis][member.ball] = member.flown[axis];
+        balls.velocity[axis][member.ball] = member.flown_velocity[axis];
+        if (!turns_[axis].empty()) turns_[axis][member.ball] -= member.turned[axis];
+      }
+      if (balls.spin.size() > 0) balls.spin[member.ball] = member.spin;
     }
   }
 }
 
 void LastingContacts::settle(std::span<double> lost) {
+  woken_ = 0;
   for (const Island& island : islands_) {
+    for (const Member& member : island.members) driven_[member.ball] = 0;
     if (!lost.empty()) lost[island.members.front().ball] += island.lost;
     if (!island.sleeps) continue;
     for (const Member& member : island.members) asleep_[member.ball] = 1;
@@ -530,12 +399,7 @@ void LastingContacts::find_asleep(const Balls& balls, std::span<const Pair> near
     }
     add_member(islands_[static_cast<std::size_t>(island_of_[root(i)])], balls, i);
   }
-  for (Island& island : islands_) {
-    order(island);
-    for (std::size_t k = 0; k < island.members.size(); ++k) {
-      place_[island.members[k].ball] = static_cast<int>(k);
-    }
-  }
+  number_members();
   for (const Pair& pair : near) {
     const bool first = still[pair.first] != 0;
     const bool second = still[pair.second] != 0;
@@ -549,8 +413,11 @@ void LastingContacts::find_asleep(const Balls& balls, std::span<const Pair> near
   }
   IslandStep step;
   for (Island& island : islands_) {
-    add_walls(island, balls);
-    island.sleeps = step.holds(island.bodies, island.contacts, balls.spin.size() > 0, step_rule());
+    if (has_walls())
+      add_wall_contacts(island, domain_, {rule_.wall_restitution, rule_.wall_friction}, driven_);
+    island.lay_out(rule_.acceleration, rule_.step);
+    island.sleeps =
+        step.holds(island.bodies, island.contacts, balls.spin.size() > 0, step_rule(island.frame));
   }
   settle({});
   islands_.clear();

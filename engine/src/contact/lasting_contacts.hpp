@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact/impact_log.hpp"
-#include "contact/island.hpp"
+#include "contact/lasting_island.hpp"
 #include "contact/pair_list.hpp"
 #include "state/balls.hpp"
 #include "state/domain.hpp"
@@ -78,6 +78,8 @@ class LastingContacts {
                ImpactLog& log);
   /// The farthest that a ball came to be from where it had flown.
   [[nodiscard]] double farthest_push() const;
+  /// Whether a ball was driven beyond a wall that was not near.
+  [[nodiscard]] bool any_driven() const;
   /// Puts the balls of all islands back to where they had flown.
   void undo(Balls& balls);
   /// Ends a step: counts who has fallen asleep, and adds what each island has lost to one of its
@@ -85,26 +87,8 @@ class LastingContacts {
   void settle(std::span<double> lost);
 
  private:
-  struct Member {
-    std::uint32_t ball = 0;
-    Vec2 start{0, 0};
-    Vec2 flown{0, 0};  // where and how fast it would be without contacts
-    Vec2 flown_velocity{0, 0};
-    double spin = 0;
-    bool woken = false;                        // it was asleep at the start
-    std::array<std::int64_t, 2> turned{0, 0};  // more turns round periodic axes than flown
-  };
-  struct Island {
-    std::vector<Member> members;
-    std::vector<IslandBody> bodies;
-    std::vector<IslandContact> contacts;
-    std::vector<double> smaller;        // by contact: the smaller radius
-    std::vector<std::uint32_t> others;  // by contact of balls: the second one
-    std::size_t pairs = 0;              // contacts before this are of balls, the others with walls
-    bool sleeps = false;
-    double push = 0;
-    double lost = 0;  // energy, beside what flight took
-  };
+  using Island = LastingIsland;
+  using Member = LastingIsland::Member;
 
   [[nodiscard]] std::uint32_t root(std::uint32_t ball);
   void wake_struck(Balls& balls, std::span<const Pair> near);
@@ -112,13 +96,9 @@ class LastingContacts {
   [[nodiscard]] bool overlap(const Balls& balls, const Pair& pair) const;
   void add_member(Island& island, const Balls& balls, std::uint32_t ball);
   void add_pair(Island& island, const Balls& balls, int a, int b, const Pair& pair) const;
-  void add_walls(Island& island, const Balls& balls) const;
-  void order(Island& island) const;
-  [[nodiscard]] double lost_by(const Island& island, const Balls& balls) const;
-  void note(const Island& island, const Balls& balls, const IslandOutcome& outcome,
-            ImpactLog& log) const;
-  [[nodiscard]] Vec2 touching_normal(const Vec2& r, const Vec2& way, double reach) const;
-  [[nodiscard]] IslandStep::Rule step_rule() const;
+  [[nodiscard]] bool has_walls() const { return domain_.solid(0) || domain_.solid(1); }
+  void number_members();
+  [[nodiscard]] IslandStep::Rule step_rule(const Frame& frame) const;
   void put(Balls& balls, Member& member, const Vec2& place, const Vec2& velocity, double spin);
 
   const Domain& domain_;
@@ -128,8 +108,11 @@ class LastingContacts {
   std::array<std::vector<double>, 2> before_;
   std::vector<char> asleep_;
   std::vector<char> slept_;  // as it was at the start of the step
+  std::vector<char>
+      driven_;  // beyond a wall that was not near: then its walls are near in this step
   std::size_t awake_ = 0;
   std::size_t sleepers_ = 0;
+  std::size_t woken_ = 0;  // in this step
   std::vector<std::uint32_t> parent_;
   std::vector<int> island_of_;  // by root ball
   std::vector<int> place_;      // by ball: its number in its island

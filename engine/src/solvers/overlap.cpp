@@ -237,9 +237,11 @@ std::size_t OverlapSolver::after_flight() {
   count_missed_hits();
   if (!many() || !list_is_stale()) return detect_;
   const Stopwatch stopwatch(timed(), desks_.front().seconds.of<Collisions>());
-  build_grid();
-  if (search_ && desks_.size() > 1 && balls_.size() >= OverlapPlan::kSharedSearch) return *search_;
-  for (std::size_t w = 0; w < desks_.size(); ++w) search({w, desks_.size()});
+  if (search_ && desks_.size() > 1 && balls_.size() >= OverlapPlan::kSharedSearch) {
+    build_grid();
+    return *search_;
+  }
+  build_list();
   return detect_;
 }
 
@@ -333,13 +335,18 @@ bool OverlapSolver::find_new_overlaps() {
   if (!many()) {
     look(all_pairs_);
   } else {
+    // The list has been looked at since the flight, not since the pushes.
+    for (std::size_t i = 0; i < balls_.size(); i += Flight::kBlock) {
+      note_moves(i, std::min(i + Flight::kBlock, balls_.size()), desks_.front());
+    }
+    if (list_is_stale()) build_list();
     for (const Desk& desk : desks_) look(desk.neighbours);
   }
   std::sort(found.begin(), found.end());
   std::vector<Pair> fresh;
   std::set_difference(found.begin(), found.end(), touching_.begin(), touching_.end(),
                       std::back_inserter(fresh));
-  if (fresh.empty()) return false;
+  if (fresh.empty() && !contacts_.any_driven()) return false;
   contacts_.undo(balls_);
   for (Desk& desk : desks_) {
     desk.lasting = desk.settled;
@@ -359,8 +366,7 @@ std::vector<Pair> OverlapSolver::near_pairs() {
   if (!many()) {
     look(all_pairs_);
   } else {
-    build_grid();
-    for (std::size_t w = 0; w < desks_.size(); ++w) search({w, desks_.size()});
+    build_list();
     for (const Desk& desk : desks_) look(desk.neighbours);
   }
   std::sort(near.begin(), near.end());
@@ -440,6 +446,11 @@ void OverlapSolver::build_grid() {
   grid_.sort(balls_, domain_, skin.reach + near_);
   anchor_ = balls_.position;
   listed_ = true;
+}
+
+void OverlapSolver::build_list() {
+  build_grid();
+  for (std::size_t w = 0; w < desks_.size(); ++w) search({w, desks_.size()});
 }
 
 void OverlapSolver::forget_pairs() {

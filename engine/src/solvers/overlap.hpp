@@ -119,6 +119,7 @@ class OverlapSolver final : public Solver {
   [[nodiscard]] bool many() const;
   [[nodiscard]] bool list_is_stale() const;
   void build_grid();
+  void build_list();
 
   Box box_;
   Domain domain_;

@@ -1,0 +1,79 @@
+#include "contact/island_account.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace carom::contact {
+
+double lost_by(const LastingIsland& island, const Balls& balls, const Domain& domain,
+               const Vec2& acceleration) {
+  double lost = 0;
+  for (std::size_t m = 0; m < island.members.size(); ++m) {
+    const LastingIsland::Member& member = island.members[m];
+    const Vec2 from = member.woken ? member.start : member.flown;
+    const Vec2 was = member.woken ? member.before : member.flown_velocity;
+    const double spin = balls.spin.size() > 0 ? balls.spin[member.ball] : 0;
+    const double turning = spin * member.radius;
+    const double turned_before = member.spin * member.radius;
+    const double turned = (turned_before - turning) * (turned_before + turning) / 2;
+    const Vec2 now{balls.velocity[0][member.ball], balls.velocity[1][member.ball]};
+    const double moving = (was - now).dot(was + now) + turned;
+    const Vec2 way = nearest_image(balls.at(member.ball) - from, domain);
+    lost += (moving / 2 + acceleration.dot(way)) / member.inverse_mass;
+  }
+  return lost;
+}
+
+void note_contacts(const LastingIsland& island, const Balls& balls, const IslandOutcome& outcome,
+                   ImpactLog& log) {
+  const std::size_t first = log.impacts.size();
+  const auto carried = std::count_if(outcome.normal.begin(), outcome.normal.end(),
+                                     [](double impulse) { return impulse > 0; });
+  double shares = 0;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (!(outcome.normal[k] > 0)) continue;
+    const IslandContact& c = island.contacts[k];
+    const LastingIsland::Member& a = island.members[static_cast<std::size_t>(c.a)];
+    const bool wall = island.sources[k].wall;
+    Impact& impact = log.impacts.emplace_back();
+    impact.time = log.time;
+    impact.kind = outcome.bounced[k] == 0 ? ImpactKind::rest
+                  : carried > 1           ? ImpactKind::joint
+                  : wall                  ? ImpactKind::wall
+                                          : ImpactKind::ball;
+    impact.a = a.ball;
+    impact.position = a.flown;
+    impact.normal = island.frame.out(c.normal);
+    impact.impulse = outcome.normal[k];
+    impact.tangential = outcome.along[k];
+    impact.distance = c.gap + balls.radius[a.ball];
+    if (wall) {
+      const std::size_t axis = impact.normal.x() != 0 ? 0 : 1;
+      impact.wall = side_of(axis, impact.normal[axis] > 0);
+    } else {
+      const std::uint32_t b = island.sources[k].other;
+      impact.b = b;
+      impact.distance += balls.radius[b];
+      if (b < a.ball) {
+        std::swap(impact.a, impact.b);
+        impact.position =
+            c.b < 0 ? balls.at(b) : island.members[static_cast<std::size_t>(c.b)].flown;
+        impact.normal = -impact.normal;
+      }
+    }
+    Vec2 speed = a.flown_velocity + outcome.after[static_cast<std::size_t>(c.a)];
+    if (c.b >= 0) {
+      const auto b = static_cast<std::size_t>(c.b);
+      speed -= island.members[b].flown_velocity + outcome.after[b];
+    }
+    const double lost = outcome.normal[k] * speed.dot(island.frame.out(c.normal)) / 2;
+    impact.energy_lost = std::max(0.0, lost);
+    shares += impact.energy_lost;
+  }
+  for (std::size_t k = first; k < log.impacts.size(); ++k) {
+    double& part = log.impacts[k].energy_lost;
+    part = shares > 0 ? std::max(island.lost, 0.0) * (part / shares) : 0;
+  }
+}
+
+}  // namespace carom::contact
