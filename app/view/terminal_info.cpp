@@ -11,6 +11,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "view/built_in_terminals.hpp"
+
 namespace carom {
 namespace {
 
@@ -22,9 +24,17 @@ std::string environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-bool load(const std::string& name) {
+bool load_from_system(const std::string& name) {
   int found = 0;
   return setupterm(name.c_str(), STDOUT_FILENO, &found) == OK;
+}
+
+bool load(const std::string& name) {
+  if (load_from_system(name)) return true;
+  const char* const description = built_in_terminal(name);
+  if (description == nullptr) return false;
+  setenv("TERMINFO", description, 1);
+  return load_from_system(name);
 }
 
 bool utf8_locale() {
