@@ -89,7 +89,7 @@ std::optional<Checkpoint> CheckpointFile::read() const {
   std::getline(in, line);
   if (line != kFirstLine) {
     throw UsageError(
-        fmt::format("--checkpoint: '{}' is there and is no checkpoint: name another file", file_));
+        fmt::format("--checkpoint: '{}' exists and is not a checkpoint: name another file", file_));
   }
   std::getline(in, line);
   if (line != "run " + run_) {

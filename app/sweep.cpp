@@ -296,10 +296,10 @@ int sweep(const Options& options) {
   }
   if (!options.quiet) {
     print(
-        fmt::format("share {}/{}{}: {} run, {} there already, {} failed; of all {} points {} are "
+        fmt::format("share {}/{}{}: {} run, {} already done, {} failed; {} of all {} points are "
                     "open\n",
                     share.index, share.count, share.from.empty() ? "" : ", from " + share.from,
-                    runner.done(), runner.there(), runner.failed(), points, counts.open));
+                    runner.done(), runner.there(), runner.failed(), counts.open, points));
     if (counts.open == 0) {
       print(fmt::format("wrote {0}/runs.csv and {0}/summary.csv\n", folder.path().string()));
     }

@@ -79,7 +79,7 @@ void Folder::begin(const Plan& plan) const {
   if (fs::exists(path_, error) && !fs::exists(path_ / "sweep.json", error) &&
       !fs::is_empty(path_, error) && !fs::exists(path_ / "runs", error)) {
     throw UsageError(
-        fmt::format("'{}' is not empty and no sweep: name a new folder", path_.string()));
+        fmt::format("'{}' is not empty and holds no sweep: name a new folder", path_.string()));
   }
   fs::create_directories(path_ / "runs", error);
   if (error) throw UsageError(fmt::format("'{}': {}", path_.string(), error.message()));
@@ -103,7 +103,7 @@ Plan Folder::plan() const {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) {
     throw UsageError(
-        fmt::format("'{}' is no folder of a sweep: it has no sweep.json", path_.string()));
+        fmt::format("'{}' is not the folder of a sweep: it has no sweep.json", path_.string()));
   }
   try {
     const Json json = Json::parse(text_of(file));
@@ -116,7 +116,7 @@ Plan Folder::plan() const {
     plan.scene = json.at("scene").dump(1);
     return plan;
   } catch (const Json::exception&) {
-    throw UsageError(fmt::format("'{}' is no plan of a sweep", file.string()));
+    throw UsageError(fmt::format("'{}' is not the plan of a sweep", file.string()));
   }
 }
 

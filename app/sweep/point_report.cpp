@@ -141,7 +141,7 @@ std::string point_report(const std::string& report, const std::string& series,
     json["point"] = point;
     return json.dump(1) + '\n';
   } catch (const Json::exception& error) {
-    throw std::runtime_error(fmt::format("its report is no report: {}", error.what()));
+    throw std::runtime_error(fmt::format("its report cannot be read: {}", error.what()));
   }
 }
 
