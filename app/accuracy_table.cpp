@@ -20,7 +20,7 @@ std::string or_lost(const std::optional<double>& error, const char* otherwise) {
   return error ? error_text(*error) : otherwise;
 }
 
-/// How far the middle half of the repeats lies apart, as a part of their median.
+/// The range of the middle half of the repeats, as a part of their median.
 std::string spread_text(const AccuracyRow& row) {
   if (row.seconds <= 0) return "-";
   return fmt::format("{:.0f} %", (row.quartiles[1] - row.quartiles[0]) / row.seconds * kPercent);

@@ -35,7 +35,7 @@ std::vector<SceneChange> changes_of(const Options& options) {
   return changes;
 }
 
-/// One place is the other, or lies in it.
+/// One place is the other or is within it.
 bool meet(std::string_view one, std::string_view other) {
   if (one.size() > other.size()) std::swap(one, other);
   return other.starts_with(one) && (other.size() == one.size() || other[one.size()] == '/');

@@ -76,7 +76,7 @@ void refuse_what_cannot_go_on(const Options& options) {
   }
 }
 
-/// What tells a run from another, in one line.
+/// What identifies a run, in one line.
 std::string identity(const Scene& scene, const Options& options) {
   std::string text = fmt::format("carom {} time {} frames {} every {} size {}x{}", version(),
                                  options.time.value_or(-1),

@@ -78,8 +78,7 @@ bool Schedule::next_frame() {
   return !over() && move_on(frame_ + 1);
 }
 
-// The last frames before the end are taken one by one: which of them is the last is a matter of
-// rounding.
+// The last frames before the end are taken one by one, as rounding decides which is the last.
 bool Schedule::next_frames(std::uint64_t most) {
   constexpr std::uint64_t kOneByOne = 2;
   if (over()) return false;

@@ -7,8 +7,8 @@
 
 namespace carom {
 
-/// Over how many frames at once a run goes on whose frames are not looked at: all of them, or so
-/// many that its progress is shown ten times a second.
+/// How many frames a run advances at once where no frame is written: all, or so many that its
+/// progress is shown ten times a second.
 class Stretch {
  public:
   explicit Stretch(bool shows_progress)

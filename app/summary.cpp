@@ -29,7 +29,8 @@ std::string method(const Report& report) {
   return fmt::format("overlap, step {:.4g} s{}{}", report.step, *why == '\0' ? "" : ": ", why);
 }
 
-// One worker would have computed as long as all of them together, and waited for none.
+// One worker would have computed for the sum of the times of all workers, and would not have
+// waited.
 std::string workers(const Report& report) {
   constexpr double kShort = 0.01;  // seconds that are not worth a word
   const double computing = report.measurements.computing;

@@ -4,8 +4,8 @@
 
 namespace carom {
 
-/// Prints what is odd but allowed about running the scene for so many simulated seconds, a line
-/// each on standard error.
+/// Prints warnings about running the scene for so many simulated seconds: valid, but probably not
+/// what was meant.  One line each, on standard error.
 void print_warnings(const Scene& scene, double seconds);
 
 }  // namespace carom

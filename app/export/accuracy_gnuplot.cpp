@@ -42,7 +42,7 @@ struct Pipe {
   std::array<int, 2> ends{-1, -1};
 
   Pipe() {
-    // A pair of sockets, which, unlike a pipe, can be told to send no signal when nobody reads.
+    // A pair of sockets: unlike a pipe, it can be written without a signal when the reader is gone.
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) fail("gnuplot");
   }
   ~Pipe() {

@@ -27,7 +27,7 @@ class Gnuplot {
   OutputFile file_;
 };
 
-/// What gnuplot is told.
+/// The commands for gnuplot.
 std::string gnuplot_script(const AccuracyStudy& study, bool png);
 
 }  // namespace carom

@@ -23,7 +23,7 @@ class CastText {
   std::string header_;
 };
 
-/// What a terminal must be told to show one picture after another: only cells that have changed.
+/// The text that makes a terminal show one picture after another: only cells that have changed.
 class PictureChanges {
  public:
   /// `picture`: rows of text, each with its end of line; characters that take one cell.

@@ -42,7 +42,7 @@ class FrameRecorder {
   FrameRecorder(Session& session, const Wanted& wanted,
                 const std::optional<Measurements>& before = {});
 
-  /// The record of a frame, without its picture; of the last one with what is told at the end only.
+  /// The record of a frame, without its picture.  `last`: with what is measured at the end only.
   [[nodiscard]] FrameRecord record(std::uint64_t frame, bool last = false);
 
  private:

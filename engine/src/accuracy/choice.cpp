@@ -20,7 +20,7 @@ bool takes_as_long(const AccuracyRow& one, const AccuracyRow& other) {
   return one.quartiles[0] <= other.quartiles[1] && other.quartiles[0] <= one.quartiles[1];
 }
 
-/// Where the times cannot be told apart, fewer digits cost less.
+/// Of runs that take equally long, within the spread, the one with fewer digits is cheaper.
 bool is_cheaper(const AccuracyRow& one, const AccuracyRow& other) {
   if (one.digits != other.digits && takes_as_long(one, other)) return one.digits < other.digits;
   return one.seconds < other.seconds;

@@ -8,7 +8,7 @@ namespace carom::accuracy {
 
 /// How far balls are from a static equilibrium: the least |G f - w| / |w| over contact forces f
 /// within the friction cones, where w are the weights of the balls that can move and G f is what
-/// the forces add up to.  0: they can stand still; 1: nothing carries them.
+/// the forces add up to.  0: they can stay at rest; 1: nothing supports them.
 ///
 /// Contacts are gaps below 1e-3 of the smaller radius, to walls too.  With friction the torques are
 /// balanced as well.

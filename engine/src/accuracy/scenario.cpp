@@ -8,7 +8,7 @@
 namespace carom::accuracy {
 namespace {
 
-/// The balls a run begins with: a saved scene may say more of them than where they are.
+/// The balls that a run begins with; a saved scene may hold more about them than their positions.
 std::vector<Ball> first_balls(const Scene& scene) {
   if (!scene.continuation) return populate(scene);
   Scene alone = scene;

@@ -10,8 +10,8 @@ namespace carom::hard {
 
 namespace {
 
-/// Turned round at the end of its time: setting the field anew starts all flights where they are,
-/// so that their velocities can be turned in all their digits.
+/// The scene at the end of its time with reversed velocities.  Setting gravity again starts all
+/// flights at their present places, so that the velocities are reversed in all their digits.
 Scene turned(const Scene& scene) {
   Simulation simulation(scene);
   simulation.advance_to(scene.duration);

@@ -29,7 +29,7 @@ double momentum_error(const Scene& scene, const Outcome& outcome);
 /// |final - initial| energy in parts of the initial one.
 double energy_error(const Measurements& measured);
 
-/// Method event for the scene's duration, then all velocities turned round and as long again: how
+/// Method event for the scene's duration, then with all velocities reversed for as long again: how
 /// far the balls end from the start.
 double way_back(const Scene& scene);
 

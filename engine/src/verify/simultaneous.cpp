@@ -128,8 +128,8 @@ double corner_way_back(const Trial& trial) {
   });
 }
 
-/// The same into a ball that lies in the corner: it is hit head-on, sent back by both walls and
-/// stopped by the one that hit it, all at once.  A line of centres along (3, 4) is exact.
+/// The same into a ball in the corner: at one instant it is hit head-on, bounces off both walls and
+/// is stopped by the ball that hit it.  A line of centres along (3, 4) is exact.
 double corner_ball_way_back(const Trial& trial) {
   constexpr double kRadius = 5.0 / 16;
   const double inner = trial.scene.box.width / 2 - kRadius;
@@ -184,7 +184,7 @@ double three_way_mirror(const Trial& trial) {
 std::vector<Case> simultaneous_cases() {
   return {
       {"cradle",
-       {{Method::event, "speeds after the blow, off by", 1e-12, cradle_speeds},
+       {{Method::event, "speeds after the impact, off by", 1e-12, cradle_speeds},
         {Method::event, "momentum, relative", 1e-12, cradle_momentum},
         {Method::overlap, "energy gained, relative", 1e-13, cradle_growth},
         {Method::overlap, "momentum, relative", 1e-12, cradle_momentum}}},

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kBox = R"({"box": {"width": 8, "height": 8}, )";
 
-/// Scenes that nobody can run: each has to be refused.
+/// Invalid scenes: each must be refused.
 constexpr const char* kRefused[] = {
     R"("effects": {"collisions": {}}, "balls": [{"position": [2, 2]}, {"position": [2, 2]}]})",
     R"("effects": {"collisions": {}}, "balls": [{"position": [2, 2]}, {"position": [2.5, 2]}]})",
@@ -21,7 +21,7 @@ constexpr const char* kRefused[] = {
     R"("effects": {}, "balls": [{"position": [2, 2], "velocity": [1e308, 0]}]})",
 };
 
-/// Scenes that are odd and right.
+/// Unusual scenes that are valid.
 constexpr const char* kRight[] = {
     R"("effects": {"walls": {}, "collisions": {}}, "balls": []})",
     R"("effects": {"walls": {}, "collisions": {}, "gravity": [0, 0]}, "balls": [{"position": [2, 2]}]})",
