@@ -127,5 +127,19 @@ TEST(Pages, HaveEveryKeyOfAScene) {
   expect_documented(names, "carom-scene.5");
 }
 
+TEST(Pages, UseTheWordsOfTheField) {
+  std::string manual;
+  for (const std::string& name : support::names_in(CAROM_SOURCE_DIR "/man")) {
+    const std::string file = CAROM_SOURCE_DIR "/man/" + name;
+    if (std::regex_match(name, std::regex(".*\\.[157]"))) manual += support::read_file(file);
+  }
+  manual = std::regex_replace(manual, std::regex("\\s+"), " ");
+  for (const char* word : {"neighbour list", "cell list", "event queue", "event-driven",
+                           "work-precision diagram", "Lyapunov", "packing fraction", "time step",
+                           "speedup", "Pareto front", "predictability horizon"}) {
+    EXPECT_NE(manual.find(word), std::string::npos) << word;
+  }
+}
+
 }  // namespace
 }  // namespace carom
