@@ -74,6 +74,26 @@ TEST(Shown, AReadmeOfOneScreenAndAHalf) {
   EXPECT_GE(commands_in(kTop / "README.md").size(), 3U);
 }
 
+TEST(Shown, PicturesAreMadeFromTheProgram) {
+  if (support::run({"/bin/sh", "-c", "command -v python3"}).status != 0) {
+    GTEST_SKIP() << "python3 is not installed";
+  }
+  const support::TemporaryFolder folder;
+  const support::Outcome outcome =
+      support::run({kTop / "man/pictures/make", CAROM_PROGRAM, folder.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const std::string name : {"break.svg", "threads.svg", "chaos.svg"}) {
+    const std::string picture = support::read_file(folder / name);
+    EXPECT_TRUE(picture.starts_with("<svg ") && picture.ends_with("</svg>\n")) << name;
+    EXPECT_LT(picture.size(), 100'000U) << name;
+    EXPECT_TRUE(fs::exists(kTop / "man/pictures" / name)) << name;
+  }
+  // The other two hold measured times and the growth of rounding errors.
+  EXPECT_EQ(support::read_file(folder / "break.svg"),
+            support::read_file(kTop / "man/pictures/break.svg"))
+      << "run man/pictures/make";
+}
+
 TEST(Shown, EveryManualPageHasExamples) {
   for (const std::string& page : pages()) {
     if (page.ends_with(".md")) continue;
