@@ -23,7 +23,7 @@ std::vector<KeyHint> key_hints(int width, bool paused, std::string_view effects)
   };
   const std::array hints = std::to_array<Hint>({
       {' ', paused ? "space:go on" : "space:pause", 2},
-      {'.', ".:frame", 3, paused},
+      {'.', ",.:frame", 3, paused},
       {'a', "a:add", 4},
       {'x', "x:remove", 5},
       {'r', "r:restart", 7},
@@ -60,7 +60,8 @@ int key_of_hint(const std::vector<KeyHint>& hints, int column) {
     if (within < 0 || within >= static_cast<int>(hint.text.size())) continue;
     // Several keys before the colon: the one that was clicked.
     const auto colon = hint.text.find(':', 1);
-    const bool several = hint.key == 0 || hint.text.starts_with("+-");
+    const bool several =
+        hint.key == 0 || hint.text.starts_with("+-") || hint.text.starts_with(",.");
     if (!several) return hint.key;
     return static_cast<std::size_t>(within) < colon ? hint.text[static_cast<std::size_t>(within)]
                                                     : hint.key;

@@ -19,6 +19,8 @@ struct KeyHelp {
 inline constexpr std::array kKeyHelp = std::to_array<KeyHelp>({
     {"Time", "space p", "pause, and go on"},
     {"Time", ".", "one frame while paused"},
+    {"Time", ",", "back by one frame"},
+    {"Time", "Bksp", "back by ten frames"},
     {"Time", "+ -", "twice, half the speed"},
     {"Time", "r", "restart"},
     {"Balls", "a", "add a ball at a free place"},

@@ -32,7 +32,8 @@ Player::Player(Scene scene, UserInterface& interface, const Settings& settings)
              interface.now()),
       piles_up_(choose_method(scene_).piles_up) {
   drawing_.glyphs = interface.unicode() ? settings.glyphs : Glyphs::ascii;
-  session_.emplace(scene_);
+  session_ = std::make_unique<Session>(scene_);
+  history_.begin(*session_, interface_.now());
 }
 
 int Player::play() {
@@ -66,7 +67,7 @@ std::string Player::title() const {
 }
 
 bool Player::idle() const {
-  return session_->stuck() && single_ == 0 && !changed_ && presses_.empty();
+  return session_->stuck() && single_ == 0 && !seek_ && !changed_ && presses_.empty();
 }
 
 double Player::frame_seconds() const {
@@ -145,6 +146,7 @@ void Player::act() {
 void Player::compute() {
   const Instant start = interface_.now();
   const Instant limit = start + whole(kShare * Real(timer_.period()));
+  if (move_in_the_past(limit)) return;
   const double target = session_->clock() + frame_seconds();
   const bool moves = !session_->paused() || single_ > 0;
   double left = single_ > 0 ? single_ : target - session_->clock();
@@ -172,6 +174,7 @@ void Player::compute() {
     }
     if (moves) slice_cost_ = std::max(0.9 * slice_cost_, Real(now - then).count() / slice);
   }
+  history_.note(*session_, interface_);
   look_ahead();
   reference_cost_ = kSmooth * reference_cost_ + (1 - kSmooth) * beside;
   changed_ = changed_ || moves;
@@ -185,7 +188,9 @@ void Player::say(std::string notice) {
 /// A command that the engine refuses is said and changes nothing.
 bool Player::obey(const Command& command, const std::string& notice) {
   try {
+    const std::size_t before = session_->commands();
     session_->apply(command);
+    if (session_->commands() != before) changed_by_hand();
     say(notice);
     return true;
   } catch (const CommandError& refused) {
@@ -195,7 +200,7 @@ bool Player::obey(const Command& command, const std::string& notice) {
 }
 
 std::string Player::summary() const {
-  const Measurements measured = session_->simulation().measure();
+  const Measurements measured = history_.measured(*session_);
   return fmt::format(
       "{}: {:.2f} s in {} frames, {} late; {} impacts of balls, {} of walls; energy error {:.1e}",
       scene_.name.empty() ? "carom" : scene_.name, session_->simulation().time(), frames_,

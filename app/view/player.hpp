@@ -10,6 +10,7 @@
 #include "view/aim.hpp"
 #include "view/cost_panel.hpp"
 #include "view/frame_timer.hpp"
+#include "view/history.hpp"
 #include "view/keys.hpp"
 #include "view/meter.hpp"
 #include "view/next_event.hpp"
@@ -17,6 +18,7 @@
 #include "view/presses.hpp"
 #include "view/recorder.hpp"
 #include "view/reference_run.hpp"
+#include "view/scrub_bar.hpp"
 #include "view/selection_panel.hpp"
 #include "view/settings.hpp"
 #include "view/user_interface.hpp"
@@ -76,9 +78,18 @@ class Player {
   void move_view(double columns, double rows);
   void restart();
 
+  // Time back.
+  bool press_for_time(int key, int times);
+  void single_frames(int times);
+  void go_to(double time);
+  bool move_in_the_past(Instant limit);
+  void changed_by_hand();
+  [[nodiscard]] std::optional<ScrubBar> scrub_bar_now() const;  ///< where it is shown
+
   // What the mouse does.
   void use_mouse(const Mouse& mouse);
   void press_button(int column, int row);
+  void scrub(int column);
   void throw_ball();
   [[nodiscard]] Camera camera() const;  ///< of the balls, as they are shown
 
@@ -106,7 +117,8 @@ class Player {
   Scene scene_;
   UserInterface& interface_;
   Settings settings_;
-  std::optional<Session> session_;
+  std::unique_ptr<Session> session_;
+  History history_;
   FrameTimer timer_;
   Meter meter_;
   Presses presses_;
@@ -124,6 +136,8 @@ class Player {
   std::optional<ReferenceRun> reference_;
   std::chrono::duration<double> reference_cost_{0};  // of a frame, smoothed
 
+  std::optional<double> seek_;           // a moment of the past that is on its way
+  bool scrubbing_ = false;               // the button went down on the bar of time
   std::optional<Aim> aim_;               // the button is down
   std::optional<std::size_t> selected_;  // the number that it keeps, as of Simulation::ids
   bool followed_ = false;

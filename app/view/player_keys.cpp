@@ -30,7 +30,7 @@ double power(double base, int times) {
 
 void Player::press(int key, int times) {
   if (help_page_ >= 0 && press_in_help(key, times)) return;
-  if (press_for_selected(key, times)) return;
+  if (press_for_selected(key, times) || press_for_time(key, times)) return;
   const bool odd = times % 2 != 0;
   switch (key) {
     case ' ':
@@ -39,7 +39,7 @@ void Player::press(int key, int times) {
       return;
     case '.':
       if (!session_->paused()) return say("space pauses first; then . shows one frame");
-      single_ += times * frame_seconds();
+      single_frames(times);
       return say(times == 1 ? "one frame" : fmt::format("{} frames", times));
     case 'a':
       return add_balls(1);
@@ -144,6 +144,7 @@ void Player::add_balls(int count) {
       if (!ball) break;
       ++added_;
       session_->apply(command::Add{*ball});
+      changed_by_hand();
     }
   } catch (const CommandError& refused) {
     if (placed == 0) return say(refused.what());
@@ -212,9 +213,11 @@ void Player::change_method() {
   }
   const Effects when_on = session_->effects_when_on();
   const std::optional<std::size_t> selected = selected_place();
-  session_.emplace(std::move(scene));
+  session_ = std::make_unique<Session>(std::move(scene));
   selected_ = selected;
   session_->set_effects_when_on(when_on);
+  history_.begin(*session_, interface_.now());
+  seek_.reset();
   scene_.solver.digits = session_->scene().solver.digits;
   scene_.solver.method = method;
   piles_up_ = false;
@@ -281,7 +284,9 @@ void Player::restart() {
   reference_.reset();
   select({});
   session_.reset();  // its threads end before as many start again
-  session_.emplace(scene_);
+  session_ = std::make_unique<Session>(scene_);
+  history_.begin(*session_, interface_.now());
+  seek_.reset();
   added_ = 0;
   single_ = 0;
   slice_cost_ = 0;

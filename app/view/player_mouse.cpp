@@ -39,14 +39,17 @@ void Player::use_mouse(const Mouse& mouse) {
     }
     case Mouse::Action::press:
       aim_.reset();
+      scrubbing_ = false;
       if (mouse.button == 0) press_button(mouse.column, mouse.row);
       return;
     case Mouse::Action::drag:
+      if (scrubbing_) scrub(mouse.column);
       if (!aim_) return;
       aim_->to_column = mouse.column;
       aim_->to_row = mouse.row;
       return;
     case Mouse::Action::release:
+      scrubbing_ = false;
       if (!aim_) return;
       aim_->to_column = mouse.column;
       aim_->to_row = mouse.row;
@@ -54,6 +57,10 @@ void Player::use_mouse(const Mouse& mouse) {
       aim_.reset();
       return;
   }
+}
+
+void Player::scrub(int column) {
+  if (const auto bar = scrub_bar_now()) go_to(moment_at(*bar, interface_.size().columns, column));
 }
 
 void Player::press_button(int column, int row) {
@@ -67,6 +74,11 @@ void Player::press_button(int column, int row) {
   if (help_page_ >= 0) {
     help_page_ = -1;
     return;
+  }
+  const int below = screen.rows - lines_below(screen.rows);
+  if (row == below - 1 && scrub_bar_now()) {
+    scrubbing_ = true;
+    return scrub(column);
   }
   if (const auto place = selected_place()) {
     const SelectedBall ball = selected_ball(*place);

@@ -69,6 +69,7 @@ bool Player::press_for_selected(int key, int times) {
         say(why_not);
         return true;
       }
+      changed_by_hand();
       selected_ = session_->simulation().ids().back();
       say(fmt::format("mass {:.6g}; it is ball {} now", session_->simulation().state().back().mass,
                       *selected_));

@@ -77,6 +77,8 @@ Canvas Player::picture(int columns, int rows) {
     lay_over(panel, columns - panel.columns, 0, picture);
   }
   paint_selected(picture);
+  if (const auto bar = scrub_bar_now())
+    lay_over(scrub_bar(*bar, columns, drawing_.glyphs), 0, rows - 1, picture);
   if (help_page_ >= 0) {
     // The screen may have grown since, and the help have fewer pages.
     help_page_ = std::min(help_page_, help_pages(picture) - 1);
@@ -91,7 +93,7 @@ void Player::paint_lines_below(Canvas& screen, int first) {
   const Instant now = interface_.now();
   const bool running = !session_->paused();
   if (now >= energy_due_ || !running) {
-    energy_error_ = simulation.measure().relative_energy_error();
+    energy_error_ = history_.measured(*session_).relative_energy_error();
     energy_due_ = now + kEnergyEvery;
   }
   if (now >= notice_until_ && running) notice_.clear();
@@ -131,7 +133,7 @@ void Player::paint_lines_below(Canvas& screen, int first) {
 
 Cost Player::cost() const {
   const Simulation& simulation = session_->simulation();
-  const Measurements measured = simulation.measure();
+  const Measurements measured = history_.measured(*session_);
   Cost cost;
   cost.method = method_name(simulation.method());
   if (simulation.method() == Method::overlap || scene_.effects.attraction) {

@@ -20,6 +20,8 @@ class Presses {
   void add(const Event& event) {
     if (!waiting_.empty() && event.kind == Event::Kind::key && waiting_.back().event == event) {
       ++waiting_.back().times;
+    } else if (is_drag(event) && !waiting_.empty() && is_drag(waiting_.back().event)) {
+      waiting_.back().event = event;  // where the pointer is counts, not its way
     } else if (waiting_.size() < kMost) {
       waiting_.push_back({event, 1});
     }
@@ -34,6 +36,10 @@ class Presses {
   }
 
  private:
+  static bool is_drag(const Event& event) {
+    return event.kind == Event::Kind::mouse && event.mouse.action == Mouse::Action::drag;
+  }
+
   static constexpr std::size_t kMost = 10000;  // more than that is a flood, not wishes
 
   std::deque<Press> waiting_;

@@ -56,7 +56,11 @@ void Session::move_clock_to(double clock) {
 }
 
 void Session::nudge(double seconds) {
-  simulation_.advance_to(simulation_.time() + seconds);
+  nudge_to(simulation_.time() + seconds);
+}
+
+void Session::nudge_to(double time) {
+  simulation_.advance_to(time);
   start_time_here();
 }
 
@@ -116,8 +120,13 @@ Scene Session::save() const {
   return scene;
 }
 
+void Session::go_on_from(const Scene& log) {
+  log_start_ = log;
+  obeyed_ = log.script;
+}
+
 Scene Session::log() const {
-  Scene scene = scene_;
+  Scene scene = log_start_ ? *log_start_ : scene_;
   scene.script = obeyed_;
   scene.solver.method = simulation_.method();
   const double start = scene.continuation ? scene.continuation->time : 0;

@@ -25,6 +25,8 @@ class Session {
   void advance_clock_to(double clock);
   /// Moves simulated time on by `seconds` without the frame clock: one frame while paused.
   void nudge(double seconds);
+  /// The same, on to a simulated time.
+  void nudge_to(double time);
   /// Obeys a command now.
   void apply(const Command& command);
 
@@ -59,6 +61,10 @@ class Session {
   /// simulated time, and the time that has passed as its duration.  A run of it ends in the same
   /// bits; pauses, which change nothing, are left out.
   [[nodiscard]] Scene log() const;
+  /// Of a session that goes on where another one stood: its log goes on from the log of that one.
+  void go_on_from(const Scene& log);
+  /// How many commands were obeyed that the log has.
+  [[nodiscard]] std::size_t commands() const { return obeyed_.size(); }
 
  private:
   void move_clock_to(double clock);
@@ -73,6 +79,7 @@ class Session {
   bool quit_ = false;
   Effects when_on_;
   std::size_t next_line_ = 0;
+  std::optional<Scene> log_start_;  // absent: the scene
   std::vector<ScriptLine> obeyed_;  // commands for the simulation, by simulated time
 };
 
