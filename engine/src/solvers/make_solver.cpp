@@ -8,23 +8,26 @@
 namespace carom {
 namespace {
 
-#ifdef CAROM_AVX2
-bool uses_avx2() {
+using MakeSolver = decltype(make_baseline_solver);
+
+/// The solvers for the instructions that this processor has.
+MakeSolver* solvers_of_processor() {
+#ifdef CAROM_LEVELS
   const char* const wish = std::getenv("CAROM_SIMD");
-  if (wish != nullptr && std::string_view(wish) == "baseline") return false;
-  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-}
+  const std::string_view most = wish == nullptr ? "avx512" : wish;
+  if (most == "baseline") return make_baseline_solver;
+  if (most != "avx2" && __builtin_cpu_supports("x86-64-v4") != 0) return make_v4_solver;
+  if (__builtin_cpu_supports("x86-64-v3") != 0) return make_v3_solver;
 #endif
+  return make_baseline_solver;
+}
 
 }  // namespace
 
 std::unique_ptr<Solver> make_solver(const Scene& scene, const std::vector<Ball>& balls,
                                     Method method) {
-#ifdef CAROM_AVX2
-  static const bool kAvx2 = uses_avx2();
-  if (kAvx2) return make_avx2_solver(scene, balls, method);
-#endif
-  return make_baseline_solver(scene, balls, method);
+  static MakeSolver* const kSolvers = solvers_of_processor();
+  return kSolvers(scene, balls, method);
 }
 
 }  // namespace carom

@@ -10,9 +10,9 @@ namespace carom {
 
 /// The solver of a scene by a method that can take it.
 ///
-/// A build for any processor of x86-64 holds the solvers twice, the second time for processors with
-/// AVX2, and chooses here.  Both compute the same bits.  CAROM_SIMD=baseline in the environment
-/// chooses the first.
+/// A build for any processor of x86-64 holds the solvers three times: for every processor, for
+/// those with AVX2 and for those with AVX-512, and chooses here.  All compute the same bits.
+/// CAROM_SIMD in the environment, baseline or avx2, limits the choice.
 std::unique_ptr<Solver> make_solver(const Scene& scene, const std::vector<Ball>& balls,
                                     Method method);
 
