@@ -185,7 +185,7 @@ Truth find_truth(const Scenario& scenario, const Samples& samples, double smalle
   } catch (const NoReference& refused) {
     why = refused.what();
   }
-  throw NoReference("no reference to hold the runs against: " + why);
+  throw NoReference("no reference to compare the runs with: " + why);
 }
 
 void refine_truth(Truth& truth, const Scenario& scenario, const Samples& samples,
