@@ -48,6 +48,8 @@ inline constexpr std::array kKeyHelp = std::to_array<KeyHelp>({
     {"Computing", "m", "the other method"},
     {"Computing", "e", "cost and accuracy"},
     {"Computing", "E", "exact run beside it: '+'"},
+    {"Threads", "l", "what each thread does"},
+    {"Threads", "L", "slow motion: . next barrier"},
     {"Program", "?", "help, its next page"},
     {"Program", "Esc", "close the help"},
     {"Program", "q", "quit"},

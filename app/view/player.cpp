@@ -152,6 +152,7 @@ void Player::compute() {
   double left = single_ > 0 ? single_ : target - session_->clock();
   Instant now = start;
   computing_ = computing_.zero();
+  calls_ = 0;
   Real beside{0};
   while (left > 0 && !session_->quit() && now < limit) {
     // Nothing known of the cost yet: a step at a time.
@@ -165,6 +166,7 @@ void Player::compute() {
       session_->advance_clock_to(slice < left ? session_->clock() + slice : target);
       left = slice < left ? target - session_->clock() : 0;
     }
+    ++calls_;
     const Instant then = std::exchange(now, interface_.now());
     computing_ += now - then;
     if (reference_) {
@@ -176,6 +178,7 @@ void Player::compute() {
   }
   history_.note(*session_, interface_);
   look_ahead();
+  if (moves && single_ == 0) threads_.computed(session_->simulation(), calls_, now);
   reference_cost_ = kSmooth * reference_cost_ + (1 - kSmooth) * beside;
   changed_ = changed_ || moves;
 }

@@ -9,6 +9,7 @@
 #include "carom/session.hpp"
 #include "view/aim.hpp"
 #include "view/cost_panel.hpp"
+#include "view/docks.hpp"
 #include "view/frame_timer.hpp"
 #include "view/history.hpp"
 #include "view/keys.hpp"
@@ -21,6 +22,7 @@
 #include "view/scrub_bar.hpp"
 #include "view/selection_panel.hpp"
 #include "view/settings.hpp"
+#include "view/threads_watch.hpp"
 #include "view/user_interface.hpp"
 
 namespace carom {
@@ -74,6 +76,9 @@ class Player {
   void begin_reference();
   void follow_reference();
   void next_glyphs();
+  void toggle_threads();
+  void toggle_slow_motion();
+  void next_barrier();
   void zoom(double factor);
   void move_view(double columns, double rows);
   void restart();
@@ -112,6 +117,7 @@ class Player {
   [[nodiscard]] std::string title() const;
   [[nodiscard]] Canvas picture(int columns, int rows);
   void paint_lines_below(Canvas& screen, int first);
+  [[nodiscard]] Docks docks(int columns, int rows) const;
   [[nodiscard]] Cost cost() const;
 
   Scene scene_;
@@ -145,6 +151,9 @@ class Player {
 
   std::unique_ptr<Recorder> recorder_;
   std::string recording_error_;
+
+  ThreadsWatch threads_;
+  std::size_t calls_ = 0;  // of advance_to for the present frame
 
   bool piles_up_;  // overlap by default, for so many balls can pile up
 

@@ -37,7 +37,14 @@ void Player::press(int key, int times) {
     case 'p':
       if (odd) pause_or_go_on();
       return;
+    case 'l':
+      if (odd) toggle_threads();
+      return;
+    case 'L':
+      if (odd) toggle_slow_motion();
+      return;
     case '.':
+      if (threads_.slow()) return next_barrier();
       if (!session_->paused()) return say("space pauses first; then . shows one frame");
       single_frames(times);
       return say(times == 1 ? "one frame" : fmt::format("{} frames", times));
@@ -130,6 +137,7 @@ bool Player::press_in_help(int key, int times) {
 void Player::pause_or_go_on() {
   meter_.reset();
   if (session_->paused()) {
+    threads_.set_slow(false);
     obey(command::Resume{}, "running");
   } else {
     obey(command::Pause{}, "paused: space goes on, . shows one frame");

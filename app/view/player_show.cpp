@@ -62,16 +62,34 @@ void Player::finish_recording() {
   recorder_.reset();
 }
 
+Docks Player::docks(int columns, int rows) const {
+  DockWishes wishes;
+  if (threads_.open()) wishes.threads = threads_.rows_wanted(session_->simulation());
+  return docks_for(wishes, session_->scene().box, columns, rows);
+}
+
 UserInterface::Size Player::box_size() const {
   const UserInterface::Size size = interface_.size();
-  return {size.columns, size.rows - lines_below(size.rows)};
+  const Docks places = docks(size.columns, size.rows - lines_below(size.rows));
+  return {places.box.columns, places.box.rows};
 }
 
 Canvas Player::picture(int columns, int rows) {
   Canvas picture(columns, rows);
+  const Docks places = docks(columns, rows);
+  Canvas box(places.box.columns, places.box.rows);
   follow_selected();
-  paint(session_->simulation().frame(), picture, drawing_);
-  if (reference_) paint_reference(reference_->frame(), picture, drawing_);
+  const Frame* const before = threads_.before(session_->simulation());
+  paint(before != nullptr ? *before : session_->simulation().frame(), box, drawing_);
+  if (reference_) paint_reference(reference_->frame(), box, drawing_);
+  lay_over(box, 0, 0, picture);
+  const auto place = [&](const Canvas& panel, const CellRect& at) {
+    lay_over(panel, at.column, at.row, picture);
+  };
+  if (!places.threads.empty())
+    place(threads_panel(threads_.view(), places.threads.columns, places.threads.rows,
+                        drawing_.glyphs),
+          places.threads);
   if (cost_shown_) {
     const Canvas panel = cost_panel(cost(), columns, rows, drawing_.glyphs);
     lay_over(panel, columns - panel.columns, 0, picture);

@@ -1,0 +1,37 @@
+// The threads' panel and slow motion.
+#include "view/player.hpp"
+
+namespace carom {
+
+void Player::toggle_threads() {
+  if (threads_.open()) {
+    threads_.close(session_->simulation());
+    return say("panel closed");
+  }
+  threads_.open(session_->simulation());
+  const UserInterface::Size size = interface_.size();
+  say(docks(size.columns, size.rows - lines_below(size.rows)).threads.empty()
+          ? "the screen is too small for the threads' panel"
+          : "threads: L goes from barrier to barrier");
+}
+
+void Player::toggle_slow_motion() {
+  if (threads_.slow()) {
+    threads_.set_slow(false);
+    return say("slow motion ends: space goes on");
+  }
+  if (!threads_.open()) threads_.open(session_->simulation());
+  if (!session_->paused()) session_->apply(command::Pause{});
+  threads_.set_slow(true);
+  say("slow motion: . goes to the next barrier");
+}
+
+/// From the last barrier of a frame to the first of the next one, which is computed first.
+void Player::next_barrier() {
+  notice_.clear();
+  if (threads_.pass_barrier()) return;
+  threads_.begin_frame(session_->simulation());
+  single_ += ThreadsWatch::slow_frame(session_->simulation(), frame_seconds());
+}
+
+}  // namespace carom
