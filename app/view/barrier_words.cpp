@@ -6,17 +6,19 @@ namespace {
 std::string flown(Computation computation, bool pairs) {
   const bool events = computation == Computation::events;
   std::string words =
-      events ? "The path of every ball through this window is known, each computed by one worker as "
-               "if the ball were alone."
-             : "Every ball has flown one step, each moved by one worker as if the ball were alone.";
+      events
+          ? "The path of every ball through this window is known, each computed by one worker as "
+            "if the ball were alone."
+          : "Every ball has flown one step, each moved by one worker as if the ball were alone.";
   if (!pairs) return words;
   words += " No pair is tested before the last worker arrives: all pairs see the same ";
   return words + (events ? "paths." : "positions.");
 }
 
 std::string pulled(Computation computation) {
-  std::string words = "The pull on every ball is summed, by one worker each, all from the same "
-                      "positions. ";
+  std::string words =
+      "The pull on every ball is summed, by one worker each, all from the same "
+      "positions. ";
   if (computation == Computation::integrated)
     return words + "New positions are kept apart until all workers have read the old ones.";
   return words + "This phase writes velocities and moves no ball.";
@@ -49,7 +51,8 @@ std::string resolved(Computation computation) {
 
 std::string guarantee_of(std::string_view barrier, Computation computation, bool pairs) {
   if (barrier == "do_frame")
-    return "The control thread has ordered a frame and waits at frame_done. From here to frame_done "
+    return "The control thread has ordered a frame and waits at frame_done. From here to "
+           "frame_done "
            "only the workers touch the balls.";
   const bool searches = barrier == "wall_computation" && computation == Computation::integrated;
   if (barrier == "pair_computation" || searches) return tested(computation);
@@ -59,13 +62,15 @@ std::string guarantee_of(std::string_view barrier, Computation computation, bool
   if (barrier == "pair_resolution") return resolved(computation);
   if (barrier == "attraction") return pulled(computation);
   if (barrier == "frame_done")
-    return "All workers are done and wait at do_frame. Only now does the control thread look at the "
+    return "All workers are done and wait at do_frame. Only now does the control thread look at "
+           "the "
            "balls: the picture shows the new positions.";
   return "All workers have finished this phase; none has begun the next one before.";
 }
 
 std::string guarantee_between_frames() {
-  return "All workers wait at do_frame. The control thread is alone: keys and the script change the "
+  return "All workers wait at do_frame. The control thread is alone: keys and the script change "
+         "the "
          "scene here, between frames.";
 }
 

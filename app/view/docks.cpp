@@ -6,14 +6,14 @@
 namespace carom {
 namespace {
 
-constexpr int kWide = 96;    // screens of so many columns have panels at the right
-constexpr int kRight = 42;   // their width
+constexpr int kRight = 42;  // their width
 constexpr int kLeastRows = 7;
 constexpr int kBorder = 2;
 
 /// Rows that the box needs on so many columns, in its proportions.
 int rows_of_box(const Box& box, int columns) {
-  const double rows = std::ceil((columns - kBorder) * box.height / box.width / 2) + kBorder;
+  const double rows =
+      std::ceil(std::max(1, columns - kBorder) * box.height / box.width / 2) + kBorder;
   return static_cast<int>(std::min(rows, 1e6));
 }
 
@@ -22,7 +22,7 @@ int rows_of_box(const Box& box, int columns) {
 Docks docks_for(const DockWishes& wishes, const Box& box, int columns, int rows) {
   Docks docks;
   docks.box = {0, 0, columns, rows};
-  const bool wide = columns >= kWide;
+  const bool wide = columns >= kWideScreen;
   if (wide && (wishes.instruments > 0 || wishes.cost > 0)) {
     docks.box.columns -= kRight;
     int row = 0;

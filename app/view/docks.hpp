@@ -22,8 +22,9 @@ struct DockWishes {
   bool threads_first = false;  ///< where there is no room for both below the box
 };
 
-/// Where the box and the panels stand on a screen.  The box keeps the upper left corner and more
-/// than half of the screen each way; a panel without room is empty.
+/// Where the box and the panels stand on a screen.  The box keeps the upper left corner, more
+/// than half of the columns and half of the rows, or as many as it needs; a panel without room is
+/// empty.
 ///
 /// Instruments and cost stack at the right where the screen is wide, the threads stand below the
 /// box, and so do the instruments where it is narrow.  A cost panel that has no place here is laid
@@ -34,6 +35,9 @@ struct Docks {
   CellRect instruments;
   CellRect cost;
 };
+
+/// From so many columns on there are panels at the right.
+inline constexpr int kWideScreen = 96;
 
 Docks docks_for(const DockWishes& wishes, const Box& box, int columns, int rows);
 

@@ -10,8 +10,8 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kClasses = 60;
-constexpr double kTop = 4;         // thermal speeds of the lightest: 3e-4 of Maxwell's are faster
-constexpr double kNarrow = 0.6;    // the classes are chosen again where the temperature has changed
+constexpr double kTop = 4;       // thermal speeds of the lightest: 3e-4 of Maxwell's are faster
+constexpr double kNarrow = 0.6;  // the classes are chosen again where the temperature has changed
 constexpr double kWide = 1.6;
 constexpr std::size_t kMost = 1200;  // frames: slow motion keeps no more
 constexpr std::size_t kParts = 8;    // of the time, for errors
@@ -71,8 +71,7 @@ void Instruments::measure(Simulation& simulation) {
   if (!(sample.span > 0)) return;
   sample.temperature = fluid.temperature.value_or(0);
   sample.pressure = fluid.pressure.value_or(0);
-  sample.kinetic =
-      effects_.gravity || effects_.attraction ? fluid.kinetic : measured.energy_final;
+  sample.kinetic = effects_.gravity || effects_.attraction ? fluid.kinetic : measured.energy_final;
   sample.potential = measured.energy_final - sample.kinetic;
   sample.dissipated = measured.energy_dissipated;
   sample.error = measured.relative_energy_error();
@@ -83,8 +82,7 @@ void Instruments::measure(Simulation& simulation) {
     samples_.pop_front();
 }
 
-void Instruments::count_speeds(const std::vector<Ball>& balls, double temperature,
-                               Sample& sample) {
+void Instruments::count_speeds(const std::vector<Ball>& balls, double temperature, Sample& sample) {
   Vec2 momentum{0, 0};
   double mass = 0;
   std::map<double, double> masses;

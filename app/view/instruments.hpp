@@ -19,8 +19,8 @@ struct TimeAverage {
 
 /// How many balls had which speed, relative to the mean velocity.
 struct SpeedCounts {
-  double top = 0;                  ///< the speed at which the last class ends; faster ones are in it
-  std::vector<double> counts;      ///< by classes of equal width from 0 on
+  double top = 0;              ///< the speed at which the last class ends; faster ones are in it
+  std::vector<double> counts;  ///< by classes of equal width from 0 on
   double total = 0;
   /// Of Maxwell's distribution for the measured temperature, in the same classes.
   std::vector<double> expected;

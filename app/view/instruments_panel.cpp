@@ -16,9 +16,8 @@ namespace {
 constexpr int kFrame = 2;
 constexpr int kBeside = 66;    // columns from which the three stand beside each other
 constexpr int kLeastRows = 5;  // of a part
-constexpr int kName = 13;      // columns of a value's name
 constexpr int kLeastCurve = 4;
-constexpr int kWidestNumber = 10;
+constexpr int kWidestNumber = 10;  // with a blank
 constexpr char32_t kLevels[] = {U' ', U'▁', U'▂', U'▃', U'▄', U'▅', U'▆', U'▇', U'█'};
 
 std::string number(double value) {
@@ -58,7 +57,8 @@ class Histogram {
                                 *std::max_element(curve.begin(), curve.end()));
     for (int column = 0; column < columns; ++column) {
       const auto k = static_cast<std::size_t>(column);
-      paint_bar(column, rows, bars[k] / top * rows, (column + 0.5F) / static_cast<float>(columns));
+      paint_bar(column, rows, bars[k] / top * rows,
+                (static_cast<float>(column) + 0.5F) / static_cast<float>(columns));
       const int row = rows - 1 - static_cast<int>(std::min(curve[k] / top * rows, rows - 0.5));
       canvas_.put(column, row, ascii_ ? U'*' : U'•', Ink::notice);
     }
@@ -108,11 +108,14 @@ struct Value {
 /// Names, values and, where there is room, curves.
 Canvas table(const std::vector<Value>& values, int columns, int rows, Glyphs glyphs) {
   Canvas block(columns, rows);
+  std::size_t longest = 0;
+  for (const Value& value : values) longest = std::max(longest, value.name.size());
+  const int name = static_cast<int>(longest) + 1;
   int row = 0;
   for (const Value& value : values) {
     block.write(0, row, value.name, Ink::status);
-    block.write(kName, row, value.text, Ink::status);
-    const int at = kName + kWidestNumber;
+    block.write(name, row, value.text, Ink::status);
+    const int at = name + kWidestNumber;
     if (value.curve != nullptr && columns - at >= kLeastCurve)
       lay_over(sparkline(*value.curve, columns - at, glyphs), at, row, block);
     ++row;
@@ -126,10 +129,8 @@ std::vector<Value> averages_of(const InstrumentReadings& readings) {
                             {"Z", average(readings.Z)}};
   if (readings.theory) values.push_back({"  theory", number(readings.theory->Z)});
   values.push_back({"impacts / s", average(readings.impacts_per_second)});
-  if (readings.theory)
-    values.push_back({"  theory", number(readings.theory->impacts_per_second)});
-  values.push_back(
-      {"free path", readings.mean_free_path ? number(*readings.mean_free_path) : "-"});
+  if (readings.theory) values.push_back({"  theory", number(readings.theory->impacts_per_second)});
+  values.push_back({"free path", readings.mean_free_path ? number(*readings.mean_free_path) : "-"});
   return values;
 }
 
@@ -137,9 +138,8 @@ std::vector<Value> energies_of(const InstrumentReadings& readings) {
   const auto last = [](const std::vector<double>& values) {
     return values.empty() ? 0 : values.back();
   };
-  std::vector<Value> values{
-      {"kinetic", number(last(readings.kinetic)), &readings.kinetic},
-      {"potential", number(last(readings.potential)), &readings.potential}};
+  std::vector<Value> values{{"kinetic", number(last(readings.kinetic)), &readings.kinetic},
+                            {"potential", number(last(readings.potential)), &readings.potential}};
   if (readings.input != 0) values.push_back({"input", number(readings.input)});
   values.push_back({"dissipated", number(last(readings.dissipated)), &readings.dissipated});
   values.push_back({"error", fmt::format("{:.1e}", last(readings.error)), &readings.error});

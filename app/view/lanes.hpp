@@ -10,9 +10,9 @@ namespace carom {
 
 /// All workers passed a barrier.
 struct Passage {
-  std::int64_t at = 0;       ///< the last one arrived
-  std::uint32_t barrier = 0; ///< place in Timeline::barriers
-  std::size_t last = 0;      ///< the worker that arrived last; of do_frame none
+  std::int64_t at = 0;        ///< the last one arrived
+  std::uint32_t barrier = 0;  ///< place in Timeline::barriers
+  std::size_t last = 0;       ///< the worker that arrived last; of do_frame none
 };
 
 /// A span of one thread.
@@ -26,11 +26,11 @@ struct Stretch {
 ///
 /// Units: nanoseconds, as in Timeline.
 struct Lanes {
-  std::int64_t begin = 0;  ///< the control thread ordered the first frame
-  std::int64_t end = 0;    ///< the last worker was done with the last one
-  std::uint32_t frame_done = 0;                ///< its place in Timeline::barriers
-  std::vector<Passage> passages;               ///< in the order of time
-  std::vector<std::vector<Stretch>> workers;   ///< while each computed, in the order of time
+  std::int64_t begin = 0;                     ///< the control thread ordered the first frame
+  std::int64_t end = 0;                       ///< the last worker was done with the last one
+  std::uint32_t frame_done = 0;               ///< its place in Timeline::barriers
+  std::vector<Passage> passages;              ///< in the order of time
+  std::vector<std::vector<Stretch>> workers;  ///< while each computed, in the order of time
 
   [[nodiscard]] bool empty() const { return passages.empty(); }
 };

@@ -178,6 +178,7 @@ void Player::compute() {
   }
   history_.note(*session_, interface_);
   look_ahead();
+  if (moves) instruments_.measure(session_->simulation());
   if (moves && single_ == 0) threads_.computed(session_->simulation(), calls_, now);
   reference_cost_ = kSmooth * reference_cost_ + (1 - kSmooth) * beside;
   changed_ = changed_ || moves;

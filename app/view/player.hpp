@@ -12,6 +12,7 @@
 #include "view/docks.hpp"
 #include "view/frame_timer.hpp"
 #include "view/history.hpp"
+#include "view/instruments.hpp"
 #include "view/keys.hpp"
 #include "view/meter.hpp"
 #include "view/next_event.hpp"
@@ -76,6 +77,7 @@ class Player {
   void begin_reference();
   void follow_reference();
   void next_glyphs();
+  void toggle_instruments();
   void toggle_threads();
   void toggle_slow_motion();
   void next_barrier();
@@ -152,6 +154,7 @@ class Player {
   std::unique_ptr<Recorder> recorder_;
   std::string recording_error_;
 
+  Instruments instruments_;
   ThreadsWatch threads_;
   std::size_t calls_ = 0;  // of advance_to for the present frame
 

@@ -37,6 +37,9 @@ void Player::press(int key, int times) {
     case 'p':
       if (odd) pause_or_go_on();
       return;
+    case 'h':
+      if (odd) toggle_instruments();
+      return;
     case 'l':
       if (odd) toggle_threads();
       return;
@@ -233,6 +236,7 @@ void Player::change_method() {
   meter_.reset();
   const std::string notice = std::string("method ") + method_name(method);
   if (reference_) begin_reference();
+  if (instruments_.open()) instruments_.begin_again(session_->simulation());
   say(reference_ ? notice + "; the comparison starts again" : notice);
 }
 
@@ -302,6 +306,7 @@ void Player::restart() {
   energy_due_ = interface_.now();
   timer_.restart(interface_.now());
   if (compared) begin_reference();
+  if (instruments_.open()) instruments_.begin_again(session_->simulation());
   say(reference_ ? "restarted; the comparison starts again" : "restarted");
 }
 

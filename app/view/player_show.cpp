@@ -6,6 +6,7 @@
 
 #include "carom/report.hpp"
 #include "view/help_panel.hpp"
+#include "view/instruments_panel.hpp"
 #include "view/panel.hpp"
 #include "view/player.hpp"
 #include "view/status.hpp"
@@ -64,6 +65,9 @@ void Player::finish_recording() {
 
 Docks Player::docks(int columns, int rows) const {
   DockWishes wishes;
+  if (instruments_.open())
+    wishes.instruments =
+        columns >= kWideScreen ? kRowsOfInstrumentsStacked : kRowsOfInstrumentsBeside;
   if (threads_.open()) wishes.threads = threads_.rows_wanted(session_->simulation());
   return docks_for(wishes, session_->scene().box, columns, rows);
 }
@@ -86,6 +90,10 @@ Canvas Player::picture(int columns, int rows) {
   const auto place = [&](const Canvas& panel, const CellRect& at) {
     lay_over(panel, at.column, at.row, picture);
   };
+  if (!places.instruments.empty())
+    place(instruments_panel(instruments_.readings(), places.instruments.columns,
+                            places.instruments.rows, drawing_.glyphs),
+          places.instruments);
   if (!places.threads.empty())
     place(threads_panel(threads_.view(), places.threads.columns, places.threads.rows,
                         drawing_.glyphs),

@@ -11,11 +11,11 @@
 namespace carom {
 namespace {
 
-constexpr int kFrame = 2;          // rows or columns around
-constexpr int kWordy = 56;         // from here on lanes are called "worker 12"
-constexpr int kMarkApart = 4;      // cells between two marks that go through all lanes
-constexpr int kOther = 2;          // rows: control, legend
-constexpr int kTwoNames = 12;      // so many rows have two with names of barriers
+constexpr int kFrame = 2;      // rows or columns around
+constexpr int kWordy = 56;     // from here on lanes are called "worker 12"
+constexpr int kMarkApart = 4;  // cells between two marks that go through all lanes
+constexpr int kOther = 2;      // rows: control, legend
+constexpr int kTwoNames = 12;  // so many rows have two with names of barriers
 
 /// The characters of a lane.
 struct Signs {
@@ -55,9 +55,10 @@ class Painter {
     paint_names();
     const int other = names_ + kOther;
     const int most = canvas_.rows - other - 1;
-    const int explained = words.empty() ? 0 : std::max(kRowsOfWords, static_cast<int>(words.size()));
-    const auto room = static_cast<std::size_t>(
-        std::max(1, canvas_.rows - other - std::min(explained, most)));
+    const int explained =
+        words.empty() ? 0 : std::max(kRowsOfWords, static_cast<int>(words.size()));
+    const auto room =
+        static_cast<std::size_t>(std::max(1, canvas_.rows - other - std::min(explained, most)));
     paint_control(names_);
     int row = names_ + 1;
     const bool all = room >= lanes_.workers.size();
@@ -124,7 +125,7 @@ class Painter {
 
   [[nodiscard]] bool is_free(int row, int begin, int end) const {
     for (int column = std::max(0, begin); column < std::min(end, canvas_.columns); ++column) {
-      if (canvas_.at(column, row).character != U' ') return false;
+      if (canvas_.holds(column, row) && canvas_.at(column, row).character != U' ') return false;
     }
     return end <= canvas_.columns + 1;
   }
@@ -171,7 +172,8 @@ class Painter {
       double computed = 0;
       for (const std::vector<Stretch>& lane : lanes_.workers)
         computed += computing_in(lane, time_at(cell), time_at(cell + 1));
-      const auto level = static_cast<std::size_t>(std::ceil(8 * std::clamp(computed / all, 0.0, 1.0)));
+      const auto level =
+          static_cast<std::size_t>(std::ceil(8 * std::clamp(computed / all, 0.0, 1.0)));
       canvas_.put(left_ + cell, row, (ascii_ ? kAsciiLevels : kLineLevels)[level], Ink::computes);
     }
   }

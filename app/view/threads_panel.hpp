@@ -17,7 +17,7 @@ struct ThreadsView {
   std::vector<double> computed;       ///< of late by each worker: the busiest have a lane
   std::int64_t until = 0;             ///< what comes later has not happened yet
   std::string title;
-  std::string now;                    ///< what is guaranteed now; empty: nothing to say
+  std::string now;  ///< what is guaranteed now; empty: nothing to say
 };
 
 /// Rows of a panel beside the lanes of workers, and those of what is explained.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kKept = 8;  // calls of advance_to: a frame of the screen seldom takes more
 constexpr std::chrono::milliseconds kEvery{250};
-constexpr double kSmooth = 0.8;  // of who is busy: lanes should not change places all the time
+constexpr double kSmooth = 0.8;     // of who is busy: lanes should not change places all the time
 constexpr std::size_t kAtOnce = 6;  // barriers of a slow frame that are shown at once
 
 Computation computation_of(const Simulation& simulation) {

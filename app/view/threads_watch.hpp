@@ -53,15 +53,15 @@ class ThreadsWatch {
 
   bool open_ = false;
   bool slow_ = false;
-  Lanes lanes_;                        // of the frame that is shown
+  Lanes lanes_;  // of the frame that is shown
   std::vector<std::string> barriers_;
-  std::vector<double> computed_;       // by each worker, smoothed
-  Instant next_;                       // the panel is renewed at this time, to be read in peace
-  double time_ = 0;                    // simulated, of the lanes
+  std::vector<double> computed_;  // by each worker, smoothed
+  Instant next_;                  // the panel is renewed at this time, to be read in peace
+  double time_ = 0;               // simulated, of the lanes
   std::size_t balls_ = 0;
 
-  std::size_t passed_ = 0;             // passages of the frame that is gone through
-  bool awaited_ = false;               // the next frame computed is gone through
+  std::size_t passed_ = 0;  // passages of the frame that is gone through
+  bool awaited_ = false;    // the next frame computed is gone through
   std::optional<Frame> before_;
   Computation computation_ = Computation::overlap;
 };

@@ -12,11 +12,14 @@ Timeline one_frame() {
   Timeline timeline;
   timeline.barriers = {"do_frame", "wall_computation", "pair_computation", "frame_done"};
   timeline.control = {{1000, 1012, 1105, 7, 0}};
-  timeline.workers = {
-      {{990, 990, 1010, 7, 0}, {1010, 1020, 1041, 7, 1}, {1041, 1046, 1091, 7, 2},
-       {1091, 1091, 1110, 7, 3}},
-      {{991, 991, 1020, 7, 0}, {1020, 1040, 1060, 7, 1}, {1060, 1090, 1092, 7, 2},
-       {1100, 1100, 1111, 7, 3}}};
+  timeline.workers = {{{990, 990, 1010, 7, 0},
+                       {1010, 1020, 1041, 7, 1},
+                       {1041, 1046, 1091, 7, 2},
+                       {1091, 1091, 1110, 7, 3}},
+                      {{991, 991, 1020, 7, 0},
+                       {1020, 1040, 1060, 7, 1},
+                       {1060, 1090, 1092, 7, 2},
+                       {1100, 1100, 1111, 7, 3}}};
   return timeline;
 }
 
@@ -82,10 +85,10 @@ TEST(ThreadsPanel, DrawsALaneForEachThreadAndAMarkWhereAllPassed) {
   // 60 inside, 9 of them for names: 51 cells of 1.96 ns.
   const Canvas panel = threads_panel(view, 62, 9, Glyphs::ascii);
   EXPECT_EQ(row_of(panel, 0), "+- threads --------------------------------------------------+");
-  EXPECT_EQ(row_of(panel, 1), "|         do_frame wall_computation                frame_done|");
+  EXPECT_EQ(row_of(panel, 1), "|         do_frame            '                    frame_done|");
   EXPECT_EQ(row_of(panel, 2), "|control  #~~~~~~~~~~~~~~~~~~~|~~~~~~~~~~~~~~~~~~~~~~~~|~~~~||");
-  EXPECT_EQ(row_of(panel, 3), "|worker 0 |~~~~#####~~~~~~~~~~|##+~~~~~~~~~~~~~~~~~~~~~|~~~~||");
-  EXPECT_EQ(row_of(panel, 4), "|worker 1 |~~~~~~~~~##########|~~~~~~~~~###############|~~~~||");
+  EXPECT_EQ(row_of(panel, 3), "|worker 0 |~~~~#####+~~~~~~~~~|##+~~~~~~~~~~~~~~~~~~~~~|~~~~||");
+  EXPECT_EQ(row_of(panel, 4), "|worker 1 |~~~~~~~~~##########|~~~~~~~~~+###############~~~~||");
   EXPECT_EQ(row_of(panel, 5), "|# computes  ~ waits   waiting 68 %                          |");
 }
 

@@ -1,7 +1,19 @@
-// The threads' panel and slow motion.
+// The panels that measure: instruments, threads, and slow motion.
 #include "view/player.hpp"
 
 namespace carom {
+
+void Player::toggle_instruments() {
+  if (instruments_.open()) {
+    instruments_.close(session_->simulation());
+    return say("panel closed");
+  }
+  instruments_.open(session_->simulation());
+  const UserInterface::Size size = interface_.size();
+  say(docks(size.columns, size.rows - lines_below(size.rows)).instruments.empty()
+          ? "the screen is too small for the instruments"
+          : "instruments: averages of the last 10 simulated seconds");
+}
 
 void Player::toggle_threads() {
   if (threads_.open()) {
