@@ -16,7 +16,8 @@ enum class Ink : unsigned char {
   fixed,     ///< a ball that never moves
   status,    ///< plain text about the run
   notice,    ///< what a key just did, and the frames of panels
-  ghost,     ///< where a ball would be, were it computed exactly; trails
+  ghost,     ///< where a ball would be, were it computed exactly
+  trail,     ///< where a ball has been
   chosen,    ///< a selected line or ball
   computes,  ///< a worker's time spent computing
   waits      ///< a worker's time spent at a barrier

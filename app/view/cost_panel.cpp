@@ -33,6 +33,7 @@ std::string bar(double distance, double radius) {
 std::vector<std::string> lines_of(const Cost& cost) {
   std::vector<std::string> lines{
       cost.method, fmt::format("{:.2f} ms per frame", cost.milliseconds),
+      fmt::format("energy dissipated {:.4g}", cost.dissipated),
       "energy error " + number(cost.energy_error),
       fmt::format("deepest overlap {} of a radius", number(cost.max_overlap))};
   if (!cost.reference) return lines;
@@ -40,6 +41,10 @@ std::vector<std::string> lines_of(const Cost& cost) {
   lines.push_back(fmt::format("+ {}: {:.2f} ms", reference.name, reference.milliseconds));
   lines.push_back("distance " + number(reference.distance));
   lines.push_back('[' + bar(reference.distance, reference.radius) + "] of a radius");
+  lines.push_back(
+      reference.horizon
+          ? fmt::format("{} is right for {:.3g} s here", cost.precision, *reference.horizon)
+          : fmt::format("{} is right so far, {:.3g} s", cost.precision, reference.span));
   return lines;
 }
 

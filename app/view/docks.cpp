@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kRight = 42;  // their width
 constexpr int kLeastRows = 7;
+constexpr int kLeastStack = 16;  // of the instruments, above the cost panel
 constexpr int kBorder = 2;
 
 /// Rows that the box needs on so many columns, in its proportions.
@@ -31,7 +32,8 @@ Docks docks_for(const DockWishes& wishes, const Box& box, int columns, int rows)
       place = {docks.box.columns, row, kRight, std::min(wish, rows - row)};
       row += place.rows;
     };
-    stack(wishes.instruments, docks.instruments);
+    const int for_cost = rows - wishes.cost >= kLeastStack ? wishes.cost : 0;
+    stack(std::min(wishes.instruments, rows - for_cost), docks.instruments);
     stack(wishes.cost, docks.cost);
   }
   // Below: what the box leaves free in any case, and half of the screen at the most.

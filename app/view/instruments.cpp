@@ -30,8 +30,8 @@ double henderson(double packing) {
   return 1 + 2 * packing * contact_value(packing);
 }
 
-void Instruments::open(Simulation& simulation) {
-  begin_again(simulation);
+void Instruments::open(Simulation& simulation, const Measurements& measured) {
+  begin_again(simulation, measured);
 }
 
 void Instruments::close(Simulation& simulation) {
@@ -40,7 +40,7 @@ void Instruments::close(Simulation& simulation) {
   simulation.record_impacts(false);
 }
 
-void Instruments::begin_again(Simulation& simulation) {
+void Instruments::begin_again(Simulation& simulation, const Measurements& measured) {
   samples_.clear();
   top_ = 0;
   const Scene scene = simulation.save();
@@ -50,17 +50,15 @@ void Instruments::begin_again(Simulation& simulation) {
   meter_->begin_at(since_);
   simulation.record_impacts(true);
   (void)simulation.take_impacts();
-  const Measurements measured = simulation.measure();
   counted_ = static_cast<double>(measured.ball_ball);
   input_ = measured.energy_input;
 }
 
-void Instruments::measure(Simulation& simulation) {
+void Instruments::measure(Simulation& simulation, const Measurements& measured) {
   if (!open()) return;
-  const Measurements measured = simulation.measure();
   const auto counted = static_cast<double>(measured.ball_ball);
   if (simulation.time() < since_ || counted < counted_ || measured.energy_input != input_)
-    return begin_again(simulation);
+    return begin_again(simulation, measured);
   effects_ = simulation.effects();
   const std::vector<Ball> balls = simulation.state();
   const Fluid fluid = meter_->measure(simulation.time(), balls, simulation.take_impacts());

@@ -59,13 +59,13 @@ class Instruments {
   static constexpr double kSpan = 10;
 
   [[nodiscard]] bool open() const { return meter_.has_value(); }
-  void open(Simulation& simulation);
+  void open(Simulation& simulation, const Measurements& measured);
   void close(Simulation& simulation);
   /// The simulation is another one, or has been changed: what was measured is forgotten.
-  void begin_again(Simulation& simulation);
+  void begin_again(Simulation& simulation, const Measurements& measured);
 
-  /// A frame was computed.
-  void measure(Simulation& simulation);
+  /// A frame was computed; `measured` is what the run has gone through.
+  void measure(Simulation& simulation, const Measurements& measured);
   [[nodiscard]] InstrumentReadings readings() const;
 
  private:

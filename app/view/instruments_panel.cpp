@@ -17,7 +17,8 @@ constexpr int kFrame = 2;
 constexpr int kBeside = 66;    // columns from which the three stand beside each other
 constexpr int kLeastRows = 5;  // of a part
 constexpr int kLeastCurve = 4;
-constexpr int kWidestNumber = 10;  // with a blank
+constexpr double kRounding = 1e-9;  // smaller errors of means are none
+constexpr int kWidestNumber = 10;   // with a blank
 constexpr char32_t kLevels[] = {U' ', U'▁', U'▂', U'▃', U'▄', U'▅', U'▆', U'▇', U'█'};
 
 std::string number(double value) {
@@ -26,8 +27,8 @@ std::string number(double value) {
 
 std::string average(const std::optional<TimeAverage>& value) {
   if (!value) return "-";
-  return value->error ? fmt::format("{:.4g} +-{:.1g}", value->mean, *value->error)
-                      : number(value->mean);
+  const bool known = value->error && *value->error > kRounding * std::abs(value->mean);
+  return known ? fmt::format("{:.4g} +-{:.1g}", value->mean, *value->error) : number(value->mean);
 }
 
 /// The classes of speeds in so many columns, a whole number of classes each.
@@ -149,7 +150,7 @@ std::vector<Value> energies_of(const InstrumentReadings& readings) {
 }  // namespace
 
 Canvas instruments_panel(const InstrumentReadings& readings, int columns, int rows, Glyphs glyphs) {
-  const std::string span = fmt::format("the last {:.3g} s", readings.span);
+  const std::string span = fmt::format("mean of {:.3g} s", readings.span);
   const auto speeds = [&](int wide, int high) {
     return framed(Histogram(readings.speeds, wide - kFrame, high - kFrame, glyphs).paint(),
                   "speeds", glyphs);

@@ -31,6 +31,7 @@ std::vector<KeyHint> key_hints(int width, bool paused, std::string_view effects)
       {'b', "b:glyphs", 9},
       {'e', "e:cost", 11},
       {'l', "l:threads", 10},
+      {'h', "h:instruments", 12},
       {0, fmt::format("{}:on/off", effects), 6, !effects.empty()},
       {'?', "?:help", 1},
       {'q', "q:quit", 0},

@@ -81,6 +81,7 @@ Color Palette::heat(float heat) const {
 Color Palette::ink_color(Ink ink, float heat) const {
   switch (ink) {
     case Ink::ball:
+    case Ink::trail:
       return this->heat(heat);
     case Ink::periodic:
     case Ink::computes:
@@ -97,7 +98,7 @@ Look Palette::look(const Cell& cell) const {
   const bool blank = cell.character == U' ';
   if (!blank) {
     look.bold = cell.ink == Ink::notice || cell.ink == Ink::fixed;
-    look.dim = cell.ink == Ink::open || cell.ink == Ink::ghost;
+    look.dim = cell.ink == Ink::open || cell.ink == Ink::ghost || cell.ink == Ink::trail;
   }
   look.reverse = cell.ink == Ink::chosen;
   if (colors_ == Colors::none) return look;

@@ -146,7 +146,11 @@ void Player::act() {
 void Player::compute() {
   const Instant start = interface_.now();
   const Instant limit = start + whole(kShare * Real(timer_.period()));
-  if (move_in_the_past(limit)) return;
+  if (move_in_the_past(limit)) {
+    calls_ = 1;
+    if (!seek_) note_frame(interface_.now());
+    return;
+  }
   const double target = session_->clock() + frame_seconds();
   const bool moves = !session_->paused() || single_ > 0;
   double left = single_ > 0 ? single_ : target - session_->clock();
@@ -176,10 +180,9 @@ void Player::compute() {
     }
     if (moves) slice_cost_ = std::max(0.9 * slice_cost_, Real(now - then).count() / slice);
   }
+  if (moves) note_frame(now);
   history_.note(*session_, interface_);
   look_ahead();
-  if (moves) instruments_.measure(session_->simulation());
-  if (moves && single_ == 0) threads_.computed(session_->simulation(), calls_, now);
   reference_cost_ = kSmooth * reference_cost_ + (1 - kSmooth) * beside;
   changed_ = changed_ || moves;
 }

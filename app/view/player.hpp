@@ -24,6 +24,7 @@
 #include "view/selection_panel.hpp"
 #include "view/settings.hpp"
 #include "view/threads_watch.hpp"
+#include "view/trails.hpp"
 #include "view/user_interface.hpp"
 
 namespace carom {
@@ -77,6 +78,10 @@ class Player {
   void begin_reference();
   void follow_reference();
   void next_glyphs();
+  void note_frame(Instant now);
+  void toggle_trails();
+  void toggle_arrows();
+  void toggle_numbers();
   void toggle_instruments();
   void toggle_threads();
   void toggle_slow_motion();
@@ -117,6 +122,7 @@ class Player {
   void put_on_screen(const Canvas& screen);
   void finish_recording();
   [[nodiscard]] std::string title() const;
+  void paint_box(Canvas& box) const;
   [[nodiscard]] Canvas picture(int columns, int rows);
   void paint_lines_below(Canvas& screen, int first);
   [[nodiscard]] Docks docks(int columns, int rows) const;
@@ -154,6 +160,9 @@ class Player {
   std::unique_ptr<Recorder> recorder_;
   std::string recording_error_;
 
+  Trails trails_;
+  bool arrows_shown_ = false;
+  bool numbers_shown_ = false;
   Instruments instruments_;
   ThreadsWatch threads_;
   std::size_t calls_ = 0;  // of advance_to for the present frame

@@ -37,6 +37,15 @@ void Player::press(int key, int times) {
     case 'p':
       if (odd) pause_or_go_on();
       return;
+    case 'z':
+      if (odd) toggle_trails();
+      return;
+    case 'v':
+      if (odd) toggle_arrows();
+      return;
+    case 'N':
+      if (odd) toggle_numbers();
+      return;
     case 'h':
       if (odd) toggle_instruments();
       return;
@@ -236,7 +245,8 @@ void Player::change_method() {
   meter_.reset();
   const std::string notice = std::string("method ") + method_name(method);
   if (reference_) begin_reference();
-  if (instruments_.open()) instruments_.begin_again(session_->simulation());
+  if (instruments_.open())
+    instruments_.begin_again(session_->simulation(), history_.measured(*session_));
   say(reference_ ? notice + "; the comparison starts again" : notice);
 }
 
@@ -306,7 +316,8 @@ void Player::restart() {
   energy_due_ = interface_.now();
   timer_.restart(interface_.now());
   if (compared) begin_reference();
-  if (instruments_.open()) instruments_.begin_again(session_->simulation());
+  if (instruments_.open())
+    instruments_.begin_again(session_->simulation(), history_.measured(*session_));
   say(reference_ ? "restarted; the comparison starts again" : "restarted");
 }
 

@@ -1,14 +1,38 @@
-// The panels that measure: instruments, threads, and slow motion.
+// What is shown beside the balls and over them: trails, arrows, numbers, instruments, threads.
 #include "view/player.hpp"
 
 namespace carom {
+
+/// A frame was computed.
+void Player::note_frame(Instant now) {
+  Simulation& simulation = session_->simulation();
+  if (trails_.shown()) trails_.add(simulation.frame());
+  if (instruments_.open()) instruments_.measure(simulation, history_.measured(*session_));
+  if (single_ == 0) threads_.computed(simulation, calls_, now);
+}
+
+void Player::toggle_trails() {
+  trails_.show(!trails_.shown());
+  if (trails_.shown()) trails_.add(session_->simulation().frame());
+  say(trails_.shown() ? "trails of the last 30 frames" : "trails off");
+}
+
+void Player::toggle_arrows() {
+  arrows_shown_ = !arrows_shown_;
+  say(arrows_shown_ ? "arrows show velocities" : "arrows off");
+}
+
+void Player::toggle_numbers() {
+  numbers_shown_ = !numbers_shown_;
+  say(numbers_shown_ ? "numbers on balls that are wide enough" : "numbers off");
+}
 
 void Player::toggle_instruments() {
   if (instruments_.open()) {
     instruments_.close(session_->simulation());
     return say("panel closed");
   }
-  instruments_.open(session_->simulation());
+  instruments_.open(session_->simulation(), history_.measured(*session_));
   const UserInterface::Size size = interface_.size();
   say(docks(size.columns, size.rows - lines_below(size.rows)).instruments.empty()
           ? "the screen is too small for the instruments"

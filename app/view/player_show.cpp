@@ -5,6 +5,8 @@
 #include <system_error>
 
 #include "carom/report.hpp"
+#include "view/arrows.hpp"
+#include "view/ball_numbers.hpp"
 #include "view/help_panel.hpp"
 #include "view/instruments_panel.hpp"
 #include "view/panel.hpp"
@@ -16,6 +18,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kEnergyEvery{500};
 constexpr double kFallsBehind = 0.95;  // of the speed wanted; below, the status says so
+constexpr int kDoubleDigits = 16;
 constexpr int kLeastColumns = 20;
 constexpr int kLeastRows = 8;
 constexpr int kRowsForHints = 12;  // screens this high have a second line below
@@ -64,10 +67,14 @@ void Player::finish_recording() {
 }
 
 Docks Player::docks(int columns, int rows) const {
+  // The bar of time stands below the panels, and on the lower side of a box without any.
+  const bool below = threads_.open() || (instruments_.open() && columns < kWideScreen);
+  if (below && scrub_bar_now()) --rows;
   DockWishes wishes;
   if (instruments_.open())
     wishes.instruments =
         columns >= kWideScreen ? kRowsOfInstrumentsStacked : kRowsOfInstrumentsBeside;
+  if (cost_shown_ && columns >= kWideScreen) wishes.cost = rows_of_cost(reference_.has_value());
   if (threads_.open()) wishes.threads = threads_.rows_wanted(session_->simulation());
   return docks_for(wishes, session_->scene().box, columns, rows);
 }
@@ -78,13 +85,23 @@ UserInterface::Size Player::box_size() const {
   return {places.box.columns, places.box.rows};
 }
 
+/// The balls, and what is drawn over and under them.
+void Player::paint_box(Canvas& box) const {
+  const Simulation& simulation = session_->simulation();
+  const Frame* const before = threads_.before(simulation);
+  const Frame frame = before != nullptr ? *before : simulation.frame();
+  paint(frame, box, drawing_);
+  if (arrows_shown_) paint_arrows(frame, simulation.state(), box, drawing_);
+  if (trails_.shown()) trails_.paint(frame, box, drawing_);
+  if (numbers_shown_) paint_numbers(frame, simulation.ids(), box, drawing_);
+}
+
 Canvas Player::picture(int columns, int rows) {
   Canvas picture(columns, rows);
   const Docks places = docks(columns, rows);
   Canvas box(places.box.columns, places.box.rows);
   follow_selected();
-  const Frame* const before = threads_.before(session_->simulation());
-  paint(before != nullptr ? *before : session_->simulation().frame(), box, drawing_);
+  paint_box(box);
   if (reference_) paint_reference(reference_->frame(), box, drawing_);
   lay_over(box, 0, 0, picture);
   const auto place = [&](const Canvas& panel, const CellRect& at) {
@@ -99,8 +116,10 @@ Canvas Player::picture(int columns, int rows) {
                         drawing_.glyphs),
           places.threads);
   if (cost_shown_) {
-    const Canvas panel = cost_panel(cost(), columns, rows, drawing_.glyphs);
-    lay_over(panel, columns - panel.columns, 0, picture);
+    const bool docked = !places.cost.empty();
+    const CellRect& room = docked ? places.cost : places.box;
+    const Canvas panel = cost_panel(cost(), room.columns, room.rows, drawing_.glyphs);
+    lay_over(panel, docked ? room.column : room.columns - panel.columns, room.row, picture);
   }
   paint_selected(picture);
   if (const auto bar = scrub_bar_now())
@@ -163,11 +182,17 @@ Cost Player::cost() const {
   Cost cost;
   cost.method = method_name(simulation.method());
   if (simulation.method() == Method::overlap || scene_.effects.attraction) {
-    cost.method += fmt::format(", step 1/{:.6g} s", 1 / simulation.step());
+    const std::string step = fmt::format("step 1/{:.6g} s", 1 / simulation.step());
+    cost.method += ", " + step;
+    cost.precision = step;
   } else {
-    cost.method += fmt::format(", {} digits", session_->scene().solver.digits);
+    const int digits = session_->scene().solver.digits;
+    cost.method += fmt::format(", {} digits", digits);
+    cost.precision =
+        digits == kDoubleDigits ? "double precision" : fmt::format("{} digits", digits);
   }
   cost.milliseconds = meter_.computing_milliseconds();
+  cost.dissipated = measured.energy_dissipated;
   cost.energy_error = measured.relative_energy_error();
   cost.max_overlap = measured.max_overlap;
   if (!reference_) return cost;
@@ -175,6 +200,8 @@ Cost Player::cost() const {
   cost.reference->name = reference_->name();
   cost.reference->milliseconds = std::chrono::duration<double, std::milli>(reference_cost_).count();
   cost.reference->distance = reference_->distance();
+  cost.reference->span = reference_->span();
+  cost.reference->horizon = reference_->horizon();
   const Frame frame = simulation.frame();
   for (const FrameBall& ball : frame.balls) {
     double& radius = cost.reference->radius;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "carom/scene_file.hpp"
@@ -13,6 +14,13 @@ namespace {
 
 constexpr int kMoreDigits = 34;
 constexpr double kShorter = 8;
+constexpr double kPartOfRadius = 0.01;  // apart by so much, a run is no longer right
+
+double smallest_radius(const std::vector<Ball>& balls) {
+  double radius = std::numeric_limits<double>::infinity();
+  for (const Ball& ball : balls) radius = std::min(radius, ball.radius);
+  return radius;
+}
 
 /// The simulated time of what the run shows.
 double moment_of(const Simulation& run) {
@@ -55,7 +63,8 @@ ReferenceRun::ReferenceRun(const Session& session)
       balls_(session.simulation().balls()),
       energy_input_(session.simulation().measure().energy_input),
       name_(name_of(exact_scene(session))),
-      simulation_(exact_scene(session)) {}
+      simulation_(exact_scene(session)),
+      radius_(smallest_radius(session.simulation().state())) {}
 
 void ReferenceRun::follow(const Simulation& run) {
   simulation_.advance_to(std::max(simulation_.time(), moment_of(run) - begun_));
@@ -70,6 +79,8 @@ void ReferenceRun::follow(const Simulation& run) {
     }
     distance_ = std::max(distance_, way.norm());
   }
+  span_ = moment_of(run) - begun_;
+  if (!horizon_ && distance_ > kPartOfRadius * radius_) horizon_ = span_;
 }
 
 bool ReferenceRun::is_of(const Simulation& run) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "carom/session.hpp"
@@ -27,6 +28,11 @@ class ReferenceRun {
   [[nodiscard]] Frame frame() const { return simulation_.frame(); }
   /// The largest distance of a ball between the two, as of the last `follow`.
   [[nodiscard]] double distance() const { return distance_; }
+  /// The simulated time until the two were first apart by more than a hundredth of the smallest
+  /// radius: the predictability horizon of the run.  None yet: `span` at the least.
+  [[nodiscard]] std::optional<double> horizon() const { return horizon_; }
+  /// The simulated time that the two have been compared.
+  [[nodiscard]] double span() const { return span_; }
   [[nodiscard]] const std::string& name() const { return name_; }  ///< as in "event, 34 digits"
 
  private:
@@ -36,7 +42,10 @@ class ReferenceRun {
   double energy_input_;
   std::string name_;
   Simulation simulation_;
+  double radius_;  // the smallest
   double distance_ = 0;
+  double span_ = 0;
+  std::optional<double> horizon_;
 };
 
 }  // namespace carom

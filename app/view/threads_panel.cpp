@@ -168,13 +168,25 @@ class Painter {
     canvas_.write(0, row, left_ > 4 ? fmt::format("all {}", lanes_.workers.size()) : "all",
                   Ink::status);
     const double all = per_cell_ * static_cast<double>(lanes_.workers.size());
+    std::vector<double> computed(static_cast<std::size_t>(cells_));
+    for (const std::vector<Stretch>& lane : lanes_.workers) {
+      for (const Stretch& stretch : lane) add(stretch, computed);
+    }
     for (int cell = 0; cell < cells_ && happened(cell); ++cell) {
-      double computed = 0;
-      for (const std::vector<Stretch>& lane : lanes_.workers)
-        computed += computing_in(lane, time_at(cell), time_at(cell + 1));
-      const auto level =
-          static_cast<std::size_t>(std::ceil(8 * std::clamp(computed / all, 0.0, 1.0)));
+      const double part = computed[static_cast<std::size_t>(cell)] / all;
+      const auto level = static_cast<std::size_t>(std::ceil(8 * std::clamp(part, 0.0, 1.0)));
       canvas_.put(left_ + cell, row, (ascii_ ? kAsciiLevels : kLineLevels)[level], Ink::computes);
+    }
+  }
+
+  /// What of the stretch lies in each cell.
+  void add(const Stretch& stretch, std::vector<double>& computed) const {
+    const auto begin = static_cast<double>(stretch.begin);
+    const auto end = static_cast<double>(stretch.end);
+    for (int cell = std::max(0, cell_at(stretch.begin)); cell < cells_ && time_at(cell) < end;
+         ++cell) {
+      computed[static_cast<std::size_t>(cell)] +=
+          std::max(0.0, std::min(end, time_at(cell + 1)) - std::max(begin, time_at(cell)));
     }
   }
 

@@ -55,15 +55,15 @@ TEST(Instruments, AreRightForDisksInEquilibrium) {
   // Source: J. Kolafa, M. Rottner, Mol. Phys. 104 (2006) 3435: Z = 2.1514393 at this packing.
   Simulation simulation(disks(0.314159));
   Instruments instruments;
-  instruments.open(simulation);
+  instruments.open(simulation, simulation.measure());
   simulation.advance_to(0.001);
-  instruments.measure(simulation);
+  instruments.measure(simulation, simulation.measure());
   EXPECT_GT(farthest_from_maxwell(instruments.readings().speeds), 0.3) << "all equally fast";
   simulation.advance_to(8);  // some seventy impacts of each ball
-  instruments.begin_again(simulation);
+  instruments.begin_again(simulation, simulation.measure());
   for (int frame = 1; frame <= 300; ++frame) {
     simulation.advance_to(8 + frame / 30.0);
-    instruments.measure(simulation);
+    instruments.measure(simulation, simulation.measure());
   }
   const InstrumentReadings readings = instruments.readings();
   EXPECT_NEAR(readings.span, 10, 0.1);
@@ -100,14 +100,14 @@ TEST(Instruments, SplitTheEnergyIntoItsParts) {
   scene.balls.front().radius = 0.5;
   Simulation simulation(scene);
   Instruments instruments;
-  instruments.open(simulation);
+  instruments.open(simulation, simulation.measure());
   simulation.advance_to(1);
-  instruments.measure(simulation);
+  instruments.measure(simulation, simulation.measure());
   // It has fallen by 1, at 2 a second.
   EXPECT_NEAR(instruments.readings().kinetic.back(), (1 + 4) / 2.0, 1e-12);
   EXPECT_NEAR(instruments.readings().potential.back(), 2 * 4, 1e-12);
   simulation.advance_to(2.2);
-  instruments.measure(simulation);
+  instruments.measure(simulation, simulation.measure());
   // At the floor it was 4.5 lower and lost three quarters of the energy of that fall.
   EXPECT_NEAR(instruments.readings().dissipated.back(), 0.75 * 2 * 4.5, 1e-9);
   EXPECT_LT(instruments.readings().error.back(), 1e-12);
@@ -117,10 +117,10 @@ TEST(Instruments, SplitTheEnergyIntoItsParts) {
 TEST(Instruments, BeginAgainWhereTheSimulationIsAnotherOneOrChanged) {
   Simulation simulation(disks(0.2));
   Instruments instruments;
-  instruments.open(simulation);
+  instruments.open(simulation, simulation.measure());
   const auto run_to = [&](double time) {
     simulation.advance_to(time);
-    instruments.measure(simulation);
+    instruments.measure(simulation, simulation.measure());
   };
   run_to(0.5);
   run_to(1);
@@ -149,7 +149,7 @@ std::string text_of(const Canvas& canvas) {
 TEST(InstrumentsPanel, IsAsLargeAsItIsTold) {
   Simulation simulation(disks(0.2));
   Instruments instruments;
-  instruments.open(simulation);
+  instruments.open(simulation, simulation.measure());
   for (int empty = 1; empty >= 0; --empty) {
     for (int columns = 0; columns < 130; columns += 7) {
       for (int rows = 0; rows < 40; rows += 3) {
@@ -160,7 +160,7 @@ TEST(InstrumentsPanel, IsAsLargeAsItIsTold) {
       }
     }
     simulation.advance_to(0.1);
-    instruments.measure(simulation);
+    instruments.measure(simulation, simulation.measure());
   }
 }
 

@@ -91,9 +91,26 @@ TEST(Panels, TheInstrumentsShowTemperatureAndEnergies) {
   EXPECT_FALSE(stage.at(0.4).says("temperature"));
   // Kinetic energy (4 * 16 + 1 + 4 + 9 + 16) / 2 of four balls of mass 1.
   for (const char* const words : {"temperature", "pressure", "impacts / s", "kinetic    47",
-                                  "potential  0", "dissipated 0", "error", "the last 1"})
+                                  "potential  0", "dissipated 0", "error", "mean of 1"})
     EXPECT_TRUE(stage.at(2).says(words)) << words << '\n' << stage.at(2).text;
   EXPECT_FALSE(stage.at(2.9).says("temperature"));
+}
+
+TEST(Panels, GoBackInTimeWithTheRun) {
+  Stage stage;
+  stage.keys(0.2, "hlzv");
+  stage.key(2, 'p');
+  for (int k = 0; k < 10; ++k) stage.key(2.5 + 0.1 * k, ',');
+  stage.key(4, 'L');
+  for (int k = 0; k < 4; ++k) stage.key(4.5 + 0.5 * k, '.');
+  stage.key(7, ' ');
+  stage.key(9, 'q');
+  stage.resize(0.1, {120, 40});
+  Player(four_balls(Method::overlap), stage).play();
+  EXPECT_TRUE(stage.at(4.8).says("do_frame: ")) << stage.at(4.8).text;
+  EXPECT_TRUE(stage.at(5.2).says("wall_computation: ")) << stage.at(5.2).text;
+  EXPECT_TRUE(stage.at(8.9).says("kinetic    47")) << stage.at(8.9).text;
+  EXPECT_TRUE(stage.at(8.9).says("frame_done")) << stage.at(8.9).text;
 }
 
 TEST(Panels, SayWhereTheScreenIsTooSmallForThem) {
@@ -117,7 +134,7 @@ TEST(Docks, GiveTheBoxHalfOfTheScreenEachWayAndOverlapNothing) {
           const DockWishes wishes{open & 1 ? 40 : 0, open & 2 ? 20 : 0, open & 4 ? 9 : 0, false};
           const Docks docks = docks_for(wishes, box, columns, rows);
           EXPECT_GT(2 * docks.box.columns, columns);
-          if (height == 300) {
+          if (height == 300 && columns > 20) {
             EXPECT_GE(2 * docks.box.rows, rows) << "it needs them";
           }
           std::vector<int> used(static_cast<std::size_t>(columns * rows));

@@ -468,6 +468,7 @@ TEST(Player, ThePanelTellsWhatTheRunCostsAndHowWrongItIs) {
   EXPECT_TRUE(stage.at(1).says("overlap, step 1/4 s")) << stage.at(1).text;
   EXPECT_TRUE(stage.at(1).says("0.00 ms per frame"));
   EXPECT_TRUE(stage.at(1).says("energy error 0"));
+  EXPECT_TRUE(stage.at(1).says("energy dissipated 0"));
   EXPECT_TRUE(stage.at(1).says("deepest overlap 0 of a radius"));
   // At 1.75 they have gone 0.245 too far each.
   EXPECT_TRUE(stage.at(2).says("deepest overlap 9.8e-01 of a radius")) << stage.at(2).text;
@@ -486,6 +487,9 @@ TEST(Player, TheExactRunBesideShowsHowFarTheTwoHaveParted) {
   // The exact ones turn back at 1.505, those on screen at 1.75, where both touch again.
   EXPECT_TRUE(stage.at(2.3).says("distance 2.4e-01") || stage.at(2.3).says("distance 2.5e-01"))
       << stage.at(2.3).text;
+  // Steps end at quarters of a second: the comparison began at 0.5, and at 1.75 they were apart.
+  EXPECT_TRUE(stage.at(1.2).says("step 1/4 s is right so far, 0.5 s")) << stage.at(1.2).text;
+  EXPECT_TRUE(stage.at(2.3).says("step 1/4 s is right for 1.25 s here")) << stage.at(2.3).text;
   EXPECT_FALSE(stage.at(2.8).says("distance"));
 }
 
