@@ -6,7 +6,6 @@
 #include "solvers/event/motion_body.hpp"
 #include "solvers/event/motion_rest_body.hpp"
 #include "solvers/event/neighbours_body.hpp"
-#include "solvers/event/part_body.hpp"
 #include "solvers/event/tile_body.hpp"
 #include "solvers/event/tile_core_body.hpp"
 #include "solvers/event/tile_cost_body.hpp"
@@ -16,10 +15,8 @@
 #include "solvers/event/tile_instant_body.hpp"
 #include "solvers/event/tile_lanes_body.hpp"
 #include "solvers/event/tile_log_body.hpp"
-#include "solvers/event/tile_part_body.hpp"
 #include "solvers/event/tile_rest_body.hpp"
 #include "solvers/event/tile_search_body.hpp"
-#include "solvers/event/windows_body.hpp"
 
 /// The whole method compiled for one Physics: a source file for each.
 #define CAROM_COMPILE_EVENT(PHYSICS)                    \

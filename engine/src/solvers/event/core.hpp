@@ -14,12 +14,10 @@
 
 namespace carom::event {
 
-/// How the plane is shared among workers, where that is not left to the core.
+/// When balls are solved in domains of the plane.
 struct Sharing {
-  std::size_t parts = 0;           ///< regions; 0: as many as there are workers and cores
-  std::size_t least_balls = 4000;  ///< with fewer balls there is one region
-  double window = 0;               ///< seconds of the first window; 0: chosen
-  bool adapts = true;              ///< the length of a window follows how often one is cut short
+  std::size_t least_balls = 200;      ///< with fewer balls they are not,
+  std::size_t balls_of_worker = 250;  ///< nor with fewer for each of several workers
 };
 
 /// What a core starts from.
@@ -40,7 +38,7 @@ struct Tally {
   std::uint64_t ball_wall = 0;
   std::uint64_t joint_impacts = 0;
   std::uint64_t resting_contacts = 0;
-  std::uint64_t islands_again = 0;
+  std::uint64_t islands_again = 0;  ///< domains
   double max_overlap = 0;
   // wall-clock seconds
   double collisions = 0;

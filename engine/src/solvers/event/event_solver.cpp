@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 #include <utility>
 
 #include "carom/scene_file.hpp"
@@ -17,16 +16,7 @@ namespace carom {
 
 namespace {
 
-constexpr std::size_t kFewWorkers = 16;  // for more, meeting costs more than sharing
-constexpr double kSamePlace = 0x1p-30;   // of the box: more than rounding can move a ball
-
-event::Sharing chosen(event::Sharing sharing, const Scene& scene, std::size_t balls) {
-  if (sharing.parts != 0) return sharing;
-  const std::size_t workers = worker_count(scene, balls);
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  sharing.parts = workers > kFewWorkers ? 1 : std::min(workers, cores);
-  return sharing;
-}
+constexpr double kSamePlace = 0x1p-30;  // of the box: more than rounding can move a ball
 
 std::vector<Ball> with_fixed_at_rest(std::vector<Ball> balls) {
   for (Ball& ball : balls) {
@@ -44,7 +34,7 @@ EventSolver::EventSolver(const Scene& scene, std::vector<Ball> balls, const even
       core_(
           event::make_core({domain_, effects_, balls_, scene.continuation.value_or(Continuation{}),
                             event::may_rest(scene, balls_), worker_count(scene, balls_.size()),
-                            chosen(sharing, scene, balls_.size()), scene.source},
+                            sharing, scene.source},
                            scene.solver.digits)) {
   if (scene.continuation && !scene.continuation->flights.empty()) refuse_other_places(scene);
 }

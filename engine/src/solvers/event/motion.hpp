@@ -12,6 +12,7 @@
 #include "solvers/event/physics.hpp"
 #include "solvers/event/room.hpp"
 #include "solvers/event/rules.hpp"
+#include "trajectory/pair_time.hpp"
 
 namespace carom::event {
 
@@ -59,6 +60,21 @@ class Motion {
   /// May say never for a meeting after `until`.
   [[nodiscard]] Time pair_meets(const Disk& a, const Disk& b, bool from_contact = false,
                                 At until = P::Clock::never()) const;
+  /// The same bits where flights are straight and neither ball is fixed or carried, quickly.
+  [[nodiscard, gnu::always_inline]] Time straight_pair_meets(const Disk& a, const Disk& b) const {
+    const bool swap = b.start < a.start;
+    const Disk& earlier = swap ? b : a;
+    const Disk& later = swap ? a : b;
+    const S elapsed = rules_.scale.seconds(later.start - earlier.start);
+    const std::array<S, 2>& periods = room_.periods();
+    const S x = multiply_add(S(-earlier.vx), elapsed, S(later.x - earlier.x));
+    const S y = multiply_add(S(-earlier.vy), elapsed, S(later.y - earlier.y));
+    const Vec<S> r{nearest(x, periods[0], S(periods[0] / 2)),
+                   nearest(y, periods[1], S(periods[1] / 2))};
+    const Vec<S> v{later.vx - earlier.vx, later.vy - earlier.vy};
+    const Time ticks = rules_.scale.ticks(pair_time(r, v, S(kind(a).radius + kind(b).radius)));
+    return ticks == P::Clock::never() ? ticks : Time(later.start + ticks);
+  }
   /// When a ball meets a wall, or has flown so far that its flight starts anew.
   /// May be later than it is where that is after `until`.
   [[nodiscard]] Meeting<P> alone(const Disk& disk, At until = P::Clock::never()) const;
@@ -89,6 +105,10 @@ class Motion {
   [[nodiscard]] bool one_kind() const { return plain_kinds_ == 1; }
   [[nodiscard]] double largest_radius() const { return largest_radius_; }
   [[nodiscard]] const std::array<S, 2>& periods() const { return room_.periods(); }
+  /// How far along an axis a flight may go before it starts anew; infinite where it may go on.
+  [[nodiscard]] S farthest(std::size_t axis) const {
+    return room_.periodic(axis) ? reach_[axis] : never<S>();
+  }
 
   /// Gravity or drag acts.
   [[nodiscard]] bool bends() const { return bends_; }

@@ -9,7 +9,6 @@
 #include "solvers/event/disk.hpp"
 #include "solvers/event/huge_pages.hpp"
 #include "solvers/event/motion.hpp"
-#include "solvers/event/plot.hpp"
 #include "solvers/event/short_lists.hpp"
 
 namespace carom::event {
@@ -33,16 +32,9 @@ class Neighbours {
         periods_{static_cast<double>(motion.periods()[0]),
                  static_cast<double>(motion.periods()[1])} {}
 
-  void reset(const Disks& disks, typename P::At now, const Plot& plot);
-  /// A ball that was not there, or was taken out: its square and list.
-  void add(const Disks& disks, Index i, typename P::At now);
-  void take_out(Index i);
-  /// All balls that are within two of the largest radii and `travel` of a place, and some others;
-  /// REQUIRES: it sees that far.
-  [[nodiscard]] bool sees(double travel) const { return travel <= skin_; }
+  void reset(const Disks& disks, typename P::At now);
+  /// All balls that are within two of the largest radii of a place, and some others.
   [[nodiscard]] std::span<const Index> around(double x, double y);
-  /// Whether the ball is in its square.
-  [[nodiscard]] bool in_square(const typename P::Disk& disk, Index i, typename P::At now) const;
   /// A new square and list for a ball; gives the neighbours it did not have before.
   [[nodiscard]] std::span<const Index> renew(const Disks& disks, Index i, typename P::At now) {
     return renew(disks, i, motion_.at(disks[i], now));
@@ -93,7 +85,6 @@ class Neighbours {
 
   const Motion<P>& motion_;
   std::array<double, 2> periods_;
-  Plot plot_;
   double skin_ = 0;
   HugeVector<Centre> centres_;
   HugeVector<std::uint32_t> cell_;

@@ -30,21 +30,23 @@ void Neighbours<P>::choose_skin(const Disks& disks, double area) {
 }
 
 template <class P>
-void Neighbours<P>::reset(const Disks& disks, typename P::At now, const Plot& plot) {
-  plot_ = plot;
-  choose_skin(disks, plot.area());
+void Neighbours<P>::reset(const Disks& disks, typename P::At now) {
+  const Domain& domain = motion_.rules().domain;
+  const auto length_of = [&domain](std::size_t axis) {
+    return domain.upper[axis] - domain.lower[axis];
+  };
+  choose_skin(disks, length_of(0) * length_of(1));
   const double range = (2 * motion_.largest_radius() + 2 * skin_) * (1 + kMargin);
   const double most = 2 * std::sqrt(static_cast<double>(disks.size())) + 1;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double length = plot.length(axis);
+    const double length = length_of(axis);
     count_[axis] = static_cast<std::uint32_t>(std::clamp(length / range, 1.0, 4 * most));
     per_length_[axis] = count_[axis] / length;
   }
   const auto n = static_cast<Index>(disks.size());
-  const std::size_t slots = std::max<std::size_t>(n, plot.slots);
-  centres_.resize(slots);
-  cell_.resize(slots);
-  lists_.reset(slots);
+  centres_.resize(n);
+  cell_.resize(n);
+  lists_.reset(n);
   cells_.reset(std::size_t{count_[0]} * count_[1]);
   for (Index i = 0; i < n; ++i) {
     set_square(disks[i], i, motion_.at(disks[i], now));
@@ -57,7 +59,7 @@ void Neighbours<P>::reset(const Disks& disks, typename P::At now, const Plot& pl
 template <class P>
 std::uint32_t Neighbours<P>::cell_of(const Centre& at) const {
   const auto along = [&](double x, std::size_t axis) {
-    const double cells = plot_.along(x, axis, periods_[axis]) * per_length_[axis];
+    const double cells = (x - motion_.rules().domain.lower[axis]) * per_length_[axis];
     return static_cast<std::uint32_t>(std::clamp(cells, 0.0, count_[axis] - 1.0));
   };
   return along(at.y, 1) * count_[0] + along(at.x, 0);
@@ -128,7 +130,7 @@ std::uint32_t Neighbours<P>::gather(std::uint32_t cell) {
       int k = middle[axis] + step;
       if (k < 0 || k >= count) {
         // With one or two cells, what lies round the corner is there already.
-        if (!(domain.period[axis] > 0) || !plot_.whole[axis] || count < 3) continue;
+        if (!(domain.period[axis] > 0) || count < 3) continue;
         k = (k + count) % count;
       }
       at[axis][static_cast<std::size_t>(many[axis]++)] = k;
@@ -235,30 +237,9 @@ std::span<const Index> Neighbours<P>::renew(const Disks& disks, Index i, const F
 }
 
 template <class P>
-void Neighbours<P>::add(const Disks& disks, Index i, typename P::At now) {
-  set_square(disks[i], i, motion_.at(disks[i], now));
-  cell_[i] = cell_of(centres_[i]);
-  cells_.add(cell_[i], i);
-  list(disks, i);
-}
-
-template <class P>
-void Neighbours<P>::take_out(Index i) {
-  cells_.remove(cell_[i], i);
-  lists_.each(i, [&](Index j) { lists_.remove(j, i); });
-  lists_.clear(i);
-}
-
-template <class P>
 std::span<const Index> Neighbours<P>::around(double x, double y) {
   const std::uint32_t candidates = gather(cell_of({x, y}));
   return {found_.data(), candidates};
-}
-
-template <class P>
-bool Neighbours<P>::in_square(const typename P::Disk& disk, Index i, typename P::At now) const {
-  const Vec<S> off = motion_.way({S(centres_[i].x), S(centres_[i].y)}, motion_.place(disk, now));
-  return absolute(off.x) <= skin_ && absolute(off.y) <= skin_;
 }
 
 template <class P>

@@ -18,10 +18,9 @@
 #include "solvers/event/energy_book.hpp"
 #include "solvers/event/groups/path.hpp"
 #include "solvers/event/huge_pages.hpp"
-#include "solvers/event/journal.hpp"
 #include "solvers/event/motion.hpp"
 #include "solvers/event/neighbours.hpp"
-#include "solvers/event/plot.hpp"
+#include "solvers/event/sampled_costs.hpp"
 #include "state/totals.hpp"
 
 namespace carom::event {
@@ -55,22 +54,6 @@ struct Counts {
     wakes += other.wakes;
     steps += other.steps;
     max_overlap = std::max(max_overlap, other.max_overlap);
-    return *this;
-  }
-};
-
-/// Wall-clock seconds of what effects do.
-struct Costs {
-  double collisions = 0;  ///< pairs: who meets next, impacts between balls, crowds
-  double walls = 0;       ///< when a ball meets a wall, and impacts there
-  double friction = 0;    ///< of single impacts
-  double bending = 0;     ///< of flights, to their impacts, by gravity and drag
-
-  Costs& operator+=(const Costs& other) {
-    collisions += other.collisions;
-    walls += other.walls;
-    friction += other.friction;
-    bending += other.bending;
     return *this;
   }
 };
@@ -110,8 +93,6 @@ class Tile {
   /// nowhere.  `spins`: of the balls, where the rules have spins; empty: 0.
   void reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left = {},
              const std::vector<S>& spins = {});
-  /// The same for the balls in a part of the plane, which have no spins.
-  void reset(const std::vector<Disk>& disks, At now, const Plot& plot);
   /// Everything up to `until` has happened then.
   void advance_to(At until);
   /// Counts time from `by` ticks later on; nothing else changes.
@@ -147,34 +128,13 @@ class Tile {
   /// step.
   [[nodiscard]] double given_ahead(At now) const requires kCanRest;
 
-  // A tile of a part of the plane keeps a journal, and its balls come and go: tile_part_body.hpp.
-
-  /// From now on every change of a flight is noted; null: no longer.  The journal must outlive it.
-  void keep(Journal<P>* journal) { journal_ = journal; }
   /// From now on every impact is noted, with its time since the present era began and the places of
   /// its balls in this tile; null: no longer.  The log must outlive it.
   void note_in(ImpactLog* log) { log_ = log; }
-  /// Takes a ball out; its number may be given to another.
-  void take_out(Index i);
-  /// Makes a ball forget what it meets, for it gets another flight.
-  void lift(Index i);
-  /// Gives a ball that was lifted, or not there, a flight; nothing happens to it before `resume`.
-  void put(Index i, const Disk& flight);
-  /// The balls that have been put, each once: those that were lifted and those that were not there.
-  void resume(std::span<const Index> lifted, std::span<const Index> fresh, At now);
-  /// Takes back what happened after `moment`, and its notes.
-  void undo(At moment);
-  /// Whether a wanted ball is now so near to a place that ball i, having been there, touches it
-  /// where the two have come nearer by `travel`.
-  [[nodiscard]] bool is_near(Index i, const Vec<S>& at, double travel,
-                             const std::vector<char>& wanted);
-  /// Nothing before `moment` will be undone any more.
-  void commit(At moment);
 
  private:
   /// Whether several pairs are looked at side by side.
   static constexpr bool kInLanes = kIsDouble<S>;
-  void begin(const std::vector<Disk>& disks, At now, const Plot& plot);
   [[nodiscard]] S* spin(Index i) { return spins_.empty() ? nullptr : &spins_[i]; }
   using Entry = typename Agenda<typename P::Clock>::Entry;
 
@@ -224,9 +184,6 @@ class Tile {
   void log_crowd(const Gathering& crowd, const CrowdLog& log, At now) requires kCanRest;
   Impact& log_contact(At now, Index i, Index j, const Vec<S>& r);
 
-  void note_alone(Index i, const Disk& before, Index partner, const Disk& partner_before,
-                  At now) const;
-
   // Whom a ball meets next: tile_search_body.hpp, tile_lanes_body.hpp.
   void scan(Index i, At now);
   /// What of `others` the ball meets before `best`.
@@ -253,7 +210,6 @@ class Tile {
                                     JointLog* log) const;  // tile_friction_body.hpp
   /// Gives the energy that friction takes.
   double rub_jointly(Instant& instant, JointLog* log) const;
-  void note_instant(const Instant& instant, At now, Index ball_ball, Index ball_wall) const;
   void add_member(Instant& instant, Index i, At now) const;
   void add_contacts(Instant& instant, std::size_t member, At now);
   [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;
@@ -302,11 +258,10 @@ class Tile {
   Time next_step_ = P::Clock::never();  ///< of crowds
   Time stepped_ = 0;                    ///< when the last one was, or the balls were taken
   std::vector<int> number_;             ///< in the crowd that is looked at; -1
-  Journal<P>* journal_ = nullptr;
-  ImpactLog* log_ = nullptr;  ///< null: impacts are not noted
-  double overlap_ = 0;        ///< at the last impact of two
-  Time reached_ = 0;          ///< everything up to here has happened
-  std::vector<Index> left_;   ///< the fixed ball a flight began at; only where balls fall on pegs
+  ImpactLog* log_ = nullptr;            ///< null: impacts are not noted
+  double overlap_ = 0;                  ///< at the last impact of two
+  Time reached_ = 0;                    ///< everything up to here has happened
+  std::vector<Index> left_;  ///< the fixed ball a flight began at; only where balls fall on pegs
   mutable std::set<Time> ties_;  ///< when two impacts may share a ball
   Time instant_ = 0;             ///< of the last impact
   std::size_t at_once_ = 0;      ///< impacts at that instant

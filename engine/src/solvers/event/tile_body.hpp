@@ -29,19 +29,7 @@ void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<In
     spins_.resize(disks.size(), S(0));
   }
   left_ = left;
-  begin(disks, now, Plot(motion_.rules().domain));
-}
-
-template <class P>
-void Tile<P>::reset(const std::vector<Disk>& disks, At now, const Plot& plot) {
-  left_.clear();
-  begin(disks, now, plot);
-}
-
-template <class P>
-void Tile<P>::begin(const std::vector<Disk>& disks, At now, const Plot& plot) {
   const auto n = static_cast<Index>(disks.size());
-  disks_.reserve(plot.slots);
   disks_.assign(disks.begin(), disks.end());
   bool pegs = false;
   for (Disk& disk : disks_) {
@@ -74,12 +62,12 @@ void Tile<P>::begin(const std::vector<Disk>& disks, At now, const Plot& plot) {
     turns_[axis].resize(n, 0);
     counts = true;
   }
-  // What a part of the plane solves may be taken back.
-  if (counts && plot.slots == 0) counted_.assign(disks_.begin(), disks_.end());
+  if (counts) counted_.assign(disks_.begin(), disks_.end());
   reached_ = now;
-  start_agenda(now, plot.area());
+  const Domain& domain = motion_.rules().domain;
+  start_agenda(now, (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]));
   if (motion_.rules().collisions) {
-    neighbours_.reset(disks_, now, plot);
+    neighbours_.reset(disks_, now);
     for (Index i = 0; i < n; ++i) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
   }
   for (Index i = 0; i < n; ++i) scan(i, now);

@@ -2,26 +2,26 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "solvers/event/core.hpp"
+#include "solvers/event/domains/domains.hpp"
 #include "solvers/event/groups/conflict_groups.hpp"
 #include "solvers/event/tile.hpp"
-#include "solvers/event/windows.hpp"
 
 namespace carom::event {
 
-/// The core of one tile of all balls, or of several where they are many and there are workers.
+/// The core that chooses between three ways to the same bits: domains of the plane where balls are
+/// many and nothing comes to rest, conflict groups for several workers, one event loop else.
 ///
-/// Threads: where workers share the plane, see Windows, with the phases
+/// Threads: all ways have the phases
 ///
-///     islands     each worker: which of its balls the other parts need
-///     halos       each worker: takes those into its parts
-///     impacts     each worker: solves its parts over a window
-///     check       each worker: compares its copies with their owners
-///     undo        each worker: takes back what came after the first difference
+///     wall_computation    where there are walls, else "flight": see Domains and ConflictGroups
+///     pair_computation    only with collisions
+///     pair_resolution     only with collisions
 ///
-/// Else one worker does the impacts and the others wait.
+/// With one event loop worker 0 does the last of them and the others wait.
 template <class P>
 class TileCore final : public Core {
  public:
@@ -58,29 +58,32 @@ class TileCore final : public Core {
   /// In more digits flights are so dear that there are never enough balls.
   static constexpr bool kShares = kIsDouble<S>;
 
-  [[nodiscard]] std::vector<Phase> phases_of_windows() requires kShares;
-  [[nodiscard]] std::size_t aim_groups();
-  [[nodiscard]] std::size_t finish_groups(std::size_t phase);
-  /// Conflict groups are for several workers, and one event loop for one.
-  [[nodiscard]] bool in_groups() const { return workers_ > 1 && sharing_.parts < 2; }
-  [[nodiscard]] bool shares(const BasicRules<S>& rules) const;
-  [[nodiscard]] std::size_t aim_windows() requires kShares;
-  [[nodiscard]] std::size_t finish(std::size_t phase) requires kShares;
+  /// Over the eras of time up to the target, by domains or conflict groups.
+  template <class Solved>
+  [[nodiscard]] std::size_t aim_way(Solved& way);
+  template <class Solved>
+  [[nodiscard]] std::size_t finish_way(Solved& way, std::size_t phase);
+  [[nodiscard]] std::size_t finish_domains(std::size_t phase) requires kShares;
+  [[nodiscard]] bool suits_domains() const;
+  void work(std::size_t phase, Share share);
+  [[nodiscard]] std::size_t finish_phase(std::size_t phase);
+  enum class Way { tile, groups, domains };
+  [[nodiscard]] Way choose_way() const;
   void sort_again();
-  [[nodiscard]] const Disk& flight(std::size_t ball) const;
+  [[nodiscard]] Disk flight(std::size_t ball) const;
   /// The fixed ball at which the flight began; kUnknown: none.
   [[nodiscard]] Index left(std::size_t ball) const;
-  /// Null where balls do not rub.
-  [[nodiscard]] const S* spin(std::size_t ball) const;
+  /// None where balls do not rub.
+  [[nodiscard]] std::optional<S> spin(std::size_t ball) const;
   [[nodiscard]] const Motion<P>& motion() const;
-  [[nodiscard]] const Counts& counts() const;
+  [[nodiscard]] Counts counts() const;
   [[nodiscard]] Costs costs() const;
   void advance();
   void land();
   /// How often each ball was brought back round a periodic axis that gravity pulls along, in the
   /// flights that are over, and in the present ones if so asked.
   [[nodiscard]] Turns turns(bool of_present_flights) const;
-  /// What drag has taken from the present flights till now; in windows, since they began.
+  /// What drag has taken from the present flights till now; in domains, since they began.
   [[nodiscard]] double present_drag() const;
   void start();
   void take_flights(const Continuation& from, const std::string& source);
@@ -97,18 +100,17 @@ class TileCore final : public Core {
   std::vector<Index> slot_;        // where in the tile a ball is
   typename P::Clock scale_;
   Sharing sharing_;
-  bool in_windows_ = false;                    // the present frame is done in windows
-  bool one_tile_ = false;                      // windows did not get on
+  bool no_domains_ = false;                    // they did not get on
   std::unique_ptr<Tile<P>> tile_;              // all balls,
-  std::unique_ptr<Windows<P>> windows_;        // or those of the parts,
+  std::unique_ptr<Domains<P>> domains_;        // or those of domains,
   std::unique_ptr<ConflictGroups<P>> groups_;  // or those that meet
   std::size_t workers_ = 1;
-  std::uint64_t again_ = 0;  // solved again by windows that are gone
+  std::uint64_t again_ = 0;  // solved again by domains that are gone
   Counts before_;            // counted in tiles that are gone
   Costs costs_before_;
   double lost_before_ = 0;     // energy
-  double windows_energy_ = 0;  // kinetic, as they began,
-  Moment windows_began_;       // then
+  double domains_energy_ = 0;  // kinetic, as they began,
+  Moment domains_began_;       // then
   Turns turns_before_;         // in the order of the balls
   Moment now_;
   Moment target_;

@@ -2,4 +2,3 @@
 
 CAROM_COMPILE_EVENT(Ballistic)
 
-template class carom::event::Windows<carom::event::Ballistic>;

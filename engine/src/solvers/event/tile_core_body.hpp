@@ -17,6 +17,7 @@ namespace carom::event {
 
 inline constexpr std::size_t kManyBalls = 4000;   // from here on their order in memory matters
 inline constexpr std::uint64_t kSortAfter = 100;  // impacts of each ball
+inline constexpr double kLeastPeriod = 8;         // radii: for domains
 
 /// A saved run goes on by its own clock, also where all its balls are gone and others are to come.
 inline bool keeps_its_clock(const Continuation& from, const std::vector<Ball>& balls) {
@@ -90,44 +91,35 @@ auto TileCore<P>::moment(double seconds) const -> Moment {
 
 template <class P>
 std::vector<Phase> TileCore<P>::phases() {
-  if constexpr (kShares) {
-    if (windows_) return phases_of_windows();
-  }
-  sharing_.parts = 1;
   std::vector<const char*> names{effects_.walls ? "wall_computation" : "flight"};
   if (effects_.collisions) names.insert(names.end(), {"pair_computation", "pair_resolution"});
   std::vector<Phase> phases;
   for (const char* name : names) {
     const std::size_t number = phases.size();
-    phases.push_back({name,
-                      [this, number](Share share) {
-                        if (groups_) {
-                          groups_->work(number, share);
-                        } else if (share.index == 0) {
-                          advance();
-                        }
-                      },
-                      [this, number] { return finish_groups(number); }});
+    phases.push_back({name, [this, number](Share share) { work(number, share); },
+                      [this, number] { return finish_phase(number); }});
   }
   return phases;
 }
 
 template <class P>
-std::vector<Phase> TileCore<P>::phases_of_windows() requires kShares {
-  std::vector<Phase> phases;
-  for (const char* name : {"islands", "halos", "impacts", "check", "undo"}) {
-    const std::size_t number = phases.size();
-    phases.push_back({name,
-                      [this, number](Share share) {
-                        if (in_windows_) {
-                          windows_->work(number, share);
-                        } else if (share.index == 0) {
-                          advance();
-                        }
-                      },
-                      [this, number] { return finish(number); }});
+void TileCore<P>::work(std::size_t phase, Share share) {
+  if constexpr (kShares) {
+    if (domains_) return domains_->work(phase, share);
   }
-  return phases;
+  if (groups_) {
+    groups_->work(phase, share);
+  } else if (share.index == 0) {
+    advance();
+  }
+}
+
+template <class P>
+std::size_t TileCore<P>::finish_phase(std::size_t phase) {
+  if constexpr (kShares) {
+    if (domains_) return finish_domains(phase);
+  }
+  return groups_ ? finish_way(*groups_, phase) : Phase::kFrameDone;
 }
 
 template <class P>
@@ -138,47 +130,64 @@ std::size_t TileCore<P>::aim(double time) {
   }
   target_ = wanted;
   if constexpr (kShares) {
-    in_windows_ = windows_ != nullptr;
-    if (in_windows_) return aim_windows();
+    if (domains_) return aim_way(*domains_);
   }
-  if (sharing_.parts > 1) return Windows<P>::kImpacts;
-  if (groups_) return aim_groups();
+  if (groups_) return aim_way(*groups_);
   return effects_.collisions ? ConflictGroups<P>::kResolve : ConflictGroups<P>::kFly;
 }
 
 template <class P>
 void TileCore<P>::set_workers(std::size_t workers) {
-  const bool were = in_groups();
+  const Way way = choose_way();
   workers_ = workers;
-  if (were != in_groups() && !windows_) {
+  if (way != choose_way()) {
     land();
     start();
   }
   if (groups_) groups_->set_workers(workers);
+  if constexpr (kShares) {
+    if (domains_) domains_->set_workers(workers);
+  }
 }
 
 template <class P>
-std::size_t TileCore<P>::aim_groups() {
-  return groups_->aim(now_.era < target_.era ? P::Clock::era() : target_.ticks);
+template <class Solved>
+std::size_t TileCore<P>::aim_way(Solved& way) {
+  return way.aim(now_.era < target_.era ? P::Clock::era() : target_.ticks);
 }
 
 template <class P>
-std::size_t TileCore<P>::finish_groups(std::size_t phase) {
-  if (!groups_) return Phase::kFrameDone;
-  std::size_t next = groups_->finish(phase);
+template <class Solved>
+std::size_t TileCore<P>::finish_way(Solved& way, std::size_t phase) {
+  std::size_t next = way.finish(phase);
   while (next == Phase::kFrameDone) {
-    now_.ticks = groups_->now();
-    if (log_.wanted) {
-      groups_->take_impacts(log_.impacts);
-      collect_log();
+    now_.ticks = way.now();
+    if constexpr (std::is_same_v<Solved, ConflictGroups<P>>) {
+      if (log_.wanted) {
+        way.take_impacts(log_.impacts);
+        collect_log();
+      }
+    } else if (way.stuck()) {
+      return next;
     }
     if (now_.era == target_.era) return Phase::kFrameDone;
-    groups_->rebase(P::Clock::era());
+    way.rebase(P::Clock::era());
     now_ = {now_.era + 1, 0};
     if (target_.ticks == 0) return Phase::kFrameDone;
-    next = aim_groups();
+    next = aim_way(way);
   }
   return next;
+}
+
+template <class P>
+std::size_t TileCore<P>::finish_domains(std::size_t phase) requires kShares {
+  const std::size_t next = finish_way(*domains_, phase);
+  if (next != Phase::kFrameDone || !domains_->stuck()) return next;
+  no_domains_ = true;
+  land();
+  start();
+  if (now_.era == target_.era && now_.ticks >= target_.ticks) return next;
+  return groups_ ? aim_way(*groups_) : std::size_t{ConflictGroups<P>::kResolve};
 }
 
 template <class P>
@@ -199,86 +208,73 @@ void TileCore<P>::sort_again() {
   const std::uint64_t impacts = counts().ball_ball + counts().ball_wall;
   if (balls_.size() >= kManyBalls && impacts > kSortAfter * balls_.size()) {
     land();
-    one_tile_ = false;
+    no_domains_ = false;
     start();
   }
 }
 
 /// Whether the balls are many enough, and nothing comes to rest or is left at a fixed ball.
 template <class P>
-bool TileCore<P>::shares(const BasicRules<S>& rules) const {
-  if (sharing_.parts < 2 || one_tile_ || !kShares || log_.wanted || rules.rests || rules.spins)
-    return false;
-  if (balls_.size() < sharing_.least_balls || !effects_.collisions) return false;
-  // Parts do not count turns.
-  if (can_rest(rules) || rules.falls_round(0) || rules.falls_round(1)) return false;
-  return !(effects_.gravity || effects_.drag) ||
-         std::none_of(balls_.begin(), balls_.end(), [](const Ball& ball) { return ball.fixed; });
-}
-
-template <class P>
-std::size_t TileCore<P>::aim_windows() requires kShares {
-  return windows_->aim(now_.era < target_.era ? P::Clock::era() : target_.ticks);
-}
-
-template <class P>
-std::size_t TileCore<P>::finish(std::size_t phase) requires kShares {
-  if (!in_windows_) return Phase::kFrameDone;
-  std::size_t next = windows_->finish(phase);
-  while (next == Phase::kFrameDone) {
-    now_.ticks = windows_->now();
-    if (windows_->stuck()) {
-      land();
-      one_tile_ = true;
-      start();
-      in_windows_ = false;
-      return Windows<P>::kImpacts;
-    }
-    if (now_.era == target_.era) {
-      sort_again();
-      return Phase::kFrameDone;
-    }
-    windows_->rebase(P::Clock::era());
-    now_ = {now_.era + 1, 0};
-    if (target_.ticks == 0) return Phase::kFrameDone;
-    next = aim_windows();
+bool TileCore<P>::suits_domains() const {
+  if (!kShares || no_domains_ || log_.wanted || rests_ || !effects_.collisions) return false;
+  const std::size_t least = workers_ > 1 ? workers_ * sharing_.balls_of_worker : 0;
+  if (balls_.size() < std::max(least, sharing_.least_balls)) return false;
+  const bool bends = effects_.gravity || effects_.drag;
+  if (effects_.drag && (effects_.gravity || effects_.friction)) return false;
+  if (loses_energy(effects_)) return false;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    // Domains do not count how often a ball goes round.
+    if (domain_.period[axis] > 0 && gravity_of(effects_)[axis] != 0) return false;
   }
-  return next;
+  const double least_period = std::min(domain_.period[0] > 0 ? domain_.period[0] : HUGE_VAL,
+                                       domain_.period[1] > 0 ? domain_.period[1] : HUGE_VAL);
+  return std::none_of(balls_.begin(), balls_.end(), [&](const Ball& ball) {
+    return (bends && ball.fixed) || least_period < kLeastPeriod * ball.radius;
+  });
 }
 
 template <class P>
-auto TileCore<P>::flight(std::size_t ball) const -> const Disk& {
+auto TileCore<P>::choose_way() const -> Way {
+  if (suits_domains()) return Way::domains;
+  return workers_ > 1 ? Way::groups : Way::tile;
+}
+
+template <class P>
+auto TileCore<P>::flight(std::size_t ball) const -> Disk {
   if constexpr (kShares) {
-    if (windows_) return windows_->flight(slot_[ball]);
+    if (domains_) return domains_->flight(ball);
   }
   if (groups_) return groups_->flight(ball);
   return tile_->disks()[slot_[ball]];
 }
 
 template <class P>
-auto TileCore<P>::spin(std::size_t ball) const -> const S* {
-  if (!effects_.friction || windows_) return nullptr;
-  return groups_ ? &groups_->spin(ball) : &tile_->spins()[slot_[ball]];
+auto TileCore<P>::spin(std::size_t ball) const -> std::optional<S> {
+  if (!effects_.friction) return std::nullopt;
+  if constexpr (kShares) {
+    if (domains_) return domains_->spin(ball);
+  }
+  return groups_ ? groups_->spin(ball) : tile_->spins()[slot_[ball]];
 }
 
 template <class P>
 Index TileCore<P>::left(std::size_t ball) const {
-  if (windows_) return kUnknown;
+  if (domains_) return kUnknown;
   return groups_ ? groups_->left(ball) : tile_->left(slot_[ball]);
 }
 
 template <class P>
 const Motion<P>& TileCore<P>::motion() const {
   if constexpr (kShares) {
-    if (windows_) return windows_->motion();
+    if (domains_) return domains_->motion();
   }
   return groups_ ? groups_->motion() : tile_->motion();
 }
 
 template <class P>
-const Counts& TileCore<P>::counts() const {
+Counts TileCore<P>::counts() const {
   if constexpr (kShares) {
-    if (windows_) return windows_->counts();
+    if (domains_) return domains_->counts();
   }
   return groups_ ? groups_->counts() : tile_->counts();
 }
@@ -286,7 +282,7 @@ const Counts& TileCore<P>::counts() const {
 template <class P>
 Costs TileCore<P>::costs() const {
   if constexpr (kShares) {
-    if (windows_) return windows_->costs();
+    if (domains_) return domains_->costs();
   }
   return groups_ ? groups_->costs() : tile_->costs();
 }
@@ -332,7 +328,7 @@ void TileCore<P>::land() {
     carried_[i] = motion().carried(flights_[i]);
     const Index left = this->left(i);
     if (left != kUnknown) left_[i] = number[left];
-    if (const S* spin = this->spin(i)) spins_[i] = *spin;
+    if (const auto spin = this->spin(i)) spins_[i] = *spin;
   }
   before_.ball_ball += counts().ball_ball;
   before_.ball_wall += counts().ball_wall;
@@ -342,7 +338,7 @@ void TileCore<P>::land() {
   costs_before_ += costs();
   lost_before_ = dissipated();
   if constexpr (kShares) {
-    if (windows_) again_ += windows_->solved_again();
+    if (domains_) again_ += domains_->solved_again();
   }
 }
 
@@ -362,9 +358,8 @@ void TileCore<P>::start() {
                       effects_.friction.has_value(),
                       rests_};
   slot_ = places_in_memory(domain_, balls_);
-  const bool windows = shares(rules);
-  if (!windows && !windows_ && !one_tile_) sharing_.parts = 1;  // it has no phases of windows
-  if (!windows && in_groups()) std::iota(slot_.begin(), slot_.end(), 0U);
+  const Way way = choose_way();
+  if (way != Way::tile) std::iota(slot_.begin(), slot_.end(), 0U);
   std::map<std::pair<S, S>, Index> kinds;
   std::vector<Disk> disks(balls_.size());
   for (std::size_t i = 0; i < balls_.size(); ++i) {
@@ -379,25 +374,24 @@ void TileCore<P>::start() {
     disks[slot_[i]] = flights_[i];
     disks[slot_[i]].kind += static_cast<Index>(carried_[i] * rules.kinds.size());
   }
+  tile_.reset();
+  groups_.reset();
+  domains_.reset();
   if constexpr (kShares) {
-    if (windows) {
-      tile_.reset();
-      groups_.reset();
-      windows_ = std::make_unique<Windows<P>>(rules, sharing_);
-      windows_->reset(std::move(disks), now_.ticks);
+    if (way == Way::domains) {
+      domains_ = std::make_unique<Domains<P>>(rules);
+      domains_->set_workers(workers_);
+      domains_->reset(disks, now_.ticks, effects_.friction ? spins_ : std::vector<S>{});
       flights_.clear();
       std::vector<Ball> balls = balls_;
       look(balls);
-      windows_energy_ = kinetic_energy(Balls(balls));
-      windows_began_ = now_;
+      domains_energy_ = kinetic_energy(Balls(balls));
+      domains_began_ = now_;
       return;
     }
   }
-  windows_.reset();
-  tile_.reset();
-  groups_.reset();
   left_.resize(balls_.size(), kUnknown);
-  if (in_groups()) {
+  if (way == Way::groups) {
     groups_ = std::make_unique<ConflictGroups<P>>(rules);
     groups_->set_workers(workers_);
     groups_->note_impacts(log_.wanted);
@@ -422,17 +416,17 @@ void TileCore<P>::start() {
   lost_before_ -= present_drag();
 }
 
-// In windows nothing but drag loses energy, and without gravity it takes the same part of every
-// ball's, whatever its impacts.
+// In domains nothing but drag loses energy where it acts, and without gravity it takes the same
+// part of every ball's, whatever its impacts.
 template <class P>
 double TileCore<P>::present_drag() const {
   if (!effects_.drag || !(effects_.drag->rate > 0)) return 0;
   if constexpr (kShares) {
-    if (windows_) {
-      const double eras = now_.era - windows_began_.era;
-      const double seconds = scale_.seconds(now_.ticks) - scale_.seconds(windows_began_.ticks) +
+    if (domains_) {
+      const double eras = now_.era - domains_began_.era;
+      const double seconds = scale_.seconds(now_.ticks) - scale_.seconds(domains_began_.ticks) +
                              eras * scale_.seconds(P::Clock::era());
-      return -std::expm1(-2 * effects_.drag->rate * seconds) * windows_energy_;
+      return -std::expm1(-2 * effects_.drag->rate * seconds) * domains_energy_;
     }
   }
   double sum = 0;
@@ -442,8 +436,11 @@ double TileCore<P>::present_drag() const {
 
 template <class P>
 double TileCore<P>::dissipated() const {
-  return lost_before_ + (tile_ ? tile_->lost() : 0) + (groups_ ? groups_->lost() : 0) +
-         present_drag();
+  double lost = lost_before_ + (tile_ ? tile_->lost() : 0) + (groups_ ? groups_->lost() : 0);
+  if constexpr (kShares) {
+    if (domains_) lost += domains_->lost();
+  }
+  return lost + present_drag();
 }
 
 // Impacts are noted by one tile alone: parts of the plane take some of theirs back.
@@ -548,12 +545,12 @@ template <class P>
 void TileCore<P>::look(std::vector<Ball>& balls) const {
   for (std::size_t i = 0; i < slot_.size(); ++i) {
     if (balls[i].fixed) continue;
-    const Disk& disk = flight(i);
+    const Disk disk = flight(i);
     const auto at = motion().wrapped(motion().place(disk, now_.ticks));
     const auto v = motion().velocity(disk, now_.ticks);
     balls[i].position = {static_cast<double>(at.x), static_cast<double>(at.y)};
     balls[i].velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
-    if (const S* spin = this->spin(i)) balls[i].spin = static_cast<double>(*spin);
+    if (const auto spin = this->spin(i)) balls[i].spin = static_cast<double>(*spin);
   }
 }
 
@@ -595,7 +592,7 @@ Tally TileCore<P>::tally() const {
   tally.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
   tally.islands_again = again_;
   if constexpr (kShares) {
-    if (windows_) tally.islands_again += windows_->solved_again();
+    if (domains_) tally.islands_again += domains_->solved_again();
   }
   Costs costs = costs_before_;
   costs += this->costs();
@@ -613,7 +610,8 @@ void TileCore<P>::save(Continuation& continuation) const {
   std::vector<std::size_t> number(slot_.size());
   for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = i;
   for (std::size_t i = 0; i < slot_.size(); ++i) {
-    continuation.flights.push_back(saved<P>(flight(i), spin(i)));
+    const std::optional<S> spin = this->spin(i);
+    continuation.flights.push_back(saved<P>(flight(i), spin ? &*spin : nullptr));
     SavedFlight& flight = continuation.flights.back();
     flight.carried = motion().carried(this->flight(i));
     const Index left = this->left(i);

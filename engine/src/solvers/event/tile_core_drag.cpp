@@ -2,4 +2,3 @@
 
 CAROM_COMPILE_EVENT(Drag)
 
-template class carom::event::Windows<carom::event::Drag>;

@@ -104,9 +104,7 @@ void Tile<P>::meet(Index i, At now) {
   }
   if (partner == kCarry) {
     if (!left_.empty()) left_[i] = kUnknown;
-    const Disk flight = disks_[i];
     motion_.carry(disks_[i], now);
-    if (journal_ != nullptr) journal_->note(i, flight, disks_[i], now, {});
     look_again(i, now);
     return;
   }
@@ -140,7 +138,6 @@ void Tile<P>::meet(Index i, At now) {
     if (log_ != nullptr) {
       log_alone(i, partner, {before, spin_before}, {partner_before, partner_spin_before}, now);
     }
-    if (journal_ != nullptr) note_alone(i, before, partner, partner_before, now);
     return;
   }
   // The blow is passed on at once: take it back, and resolve all that touches together.
@@ -170,7 +167,6 @@ void Tile<P>::next_event(Index i, At now) {
     return;
   }
   ++counts_.renewals;
-  if (journal_ != nullptr) journal_->note_renewal(i);
   const Flight<S> here = motion_.at(disks_[i], now);
   const std::span<const Index> fresh = neighbours_.renew(disks_, i, here);
   Meeting<P> best{disks_[i].meets, kUnknown};

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -34,7 +33,6 @@ struct Tile<P>::Instant {
 template <class P>
 bool Tile<P>::tied(At now) {
   if (ties_.empty()) return false;
-  if (journal_ != nullptr) return ties_.count(now) > 0;
   ties_.erase(ties_.begin(), ties_.lower_bound(now));
   return !ties_.empty() && *ties_.begin() == now;
 }
@@ -98,40 +96,6 @@ void Tile<P>::add_contacts(Instant& instant, std::size_t member, At now) {
   });
 }
 
-// Whoever sees the same group sees the same fingerprint, and the same one of its balls counts it.
-template <class P>
-void Tile<P>::note_instant(const Instant& instant, At now, Index ball_ball, Index ball_wall) const {
-  const auto mixed = [](std::uint64_t hash, const S& value) {
-    hash = (hash ^ std::bit_cast<std::uint64_t>(static_cast<double>(value) + 0.0)) *
-           0x9e3779b97f4a7c15U;
-    return hash ^ (hash >> 29);
-  };
-  std::uint64_t group = instant.contacts.size();
-  std::size_t counts = instant.members.size();
-  for (std::size_t k = 0; k < instant.members.size(); ++k) {
-    const Vec<S>& at = instant.places[k];
-    const Disk& disk = disks_[instant.members[k]];
-    const Vec<S> v = motion_.velocity(disk, now);
-    std::uint64_t hash = 1;
-    for (const S& value : {at.x, at.y, v.x, v.y}) hash = mixed(hash, value);
-    group += hash;
-    if (motion_.fixed(disk)) continue;
-    const Vec<S>* least = counts < instant.members.size() ? &instant.places[counts] : nullptr;
-    if (least == nullptr || at.x < least->x || (at.x == least->x && at.y < least->y)) counts = k;
-  }
-  for (std::size_t k = 0; k < instant.members.size(); ++k) {
-    const Disk& disk = disks_[instant.members[k]];
-    if (motion_.fixed(disk)) continue;
-    JournalShare share;
-    share.group = group;
-    if (k == counts) {
-      share.ball_ball_halves = 2 * ball_ball;
-      share.ball_wall = ball_wall;
-    }
-    journal_->note(instant.members[k], disk, disk, now, share);
-  }
-}
-
 // Whether one of a crowd touches, two cling to each other, or they are too many.
 template <class P>
 bool Tile<P>::is_of_crowd(const Instant& instant, At now) const requires kCanRest {
@@ -183,7 +147,6 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     meet_alone(i, partner, now);
     book_.keep();
     if (log_ != nullptr) log_alone(i, partner, was, partner_was, now);
-    if (journal_ != nullptr) note_alone(i, was.disk, partner, partner_was.disk, now);
     if (ball) look_again(partner, now);
     look_again(i, now);
     return;
@@ -200,9 +163,6 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
   counts_.ball_ball += balls;
   book_.note(report.lost);
   book_.keep();
-  if (journal_ != nullptr) {
-    note_instant(instant, now, static_cast<Index>(balls), static_cast<Index>(walls));
-  }
 
   std::vector<Index> changed;
   for (std::size_t k = 0; k < instant.members.size(); ++k) {
@@ -222,7 +182,6 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     disk.vy = instant.bodies[k].velocity.y;
     if (!spins_.empty()) spins_[m] = instant.spins[k];
     disk.start = now;
-    if (journal_ != nullptr) journal_->note_speed(disk);
     if (!left_.empty()) left_[m] = kUnknown;
   }
   for (const typename Instant::Stop& stop : instant.stops) {

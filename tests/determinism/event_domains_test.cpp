@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -30,15 +31,18 @@ struct Outcome {
 };
 
 struct Run {
-  std::size_t parts = 1;
-  double window = 0;  ///< seconds, kept; 0: chosen, and adapted
   std::size_t workers = 1;
   double frame_rate = 30;
 };
 
+/// No workers: by one event loop.
 Outcome run(const Case& c, const Run& how, std::uint64_t* again = nullptr) {
-  EventSolver solver(c.scene, c.scene.balls, {how.parts, 0, how.window, how.window == 0});
-  Crew crew(how.workers, solver.phases());
+  const event::Sharing always{0, 0};
+  const event::Sharing never{static_cast<std::size_t>(-1), 0};
+  Scene scene = c.scene;
+  scene.workers = std::max<std::size_t>(how.workers, 1);
+  EventSolver solver(scene, scene.balls, how.workers > 0 ? always : never);
+  Crew crew(*scene.workers, solver.phases());
   const auto go_to = [&](double time) {
     const std::size_t first = solver.aim(time);
     if (first != Phase::kFrameDone) crew.do_frame(first);
@@ -70,7 +74,7 @@ Scene two_sizes() {
   return scene;
 }
 
-// All balls meet at the same instants, many at a time, in every part and across every border.
+// All balls meet at the same instants, many at a time, in every domain and across every border.
 Scene in_step() {
   Scene scene = test::walled_gas(1, 1, 0.5);
   scene.balls.clear();
@@ -87,7 +91,7 @@ Scene in_step() {
   return scene;
 }
 
-// A blow runs along touching balls from one end of the box to the other, through all parts.
+// A blow runs along touching balls from one end of the box to the other, through all domains.
 Scene chain() {
   Scene scene = in_step();
   scene.balls.clear();
@@ -100,7 +104,7 @@ Scene chain() {
   return scene;
 }
 
-// One ball crosses many parts while the others hardly move.
+// One ball crosses many domains while the others hardly move.
 Scene bullet() {
   Scene scene = test::gas(30, 30, 0.3);
   scene.balls[435].velocity = {4000, 1500};
@@ -118,49 +122,33 @@ std::vector<Case> cases() {
           {"bullet", bullet(), 0.2}};
 }
 
-TEST(EventWindows, AnyPartsAndWorkersGiveTheBitsOfOneTile) {
+TEST(EventDomains, OfAnyNumberOfWorkersGiveTheBitsOfOneEventLoop) {
+  std::uint64_t again = 0;
   for (const Case& c : cases()) {
-    const Outcome expected = run(c, {});
+    const Outcome expected = run(c, {0});
     EXPECT_GT(expected.ball_ball, 100U) << c.name;
-    for (const std::size_t parts : {2, 3, 4, 7}) {
-      for (const std::size_t workers : {1, 2, 3, 7}) {
-        if (workers > parts && workers != 7) continue;
-        EXPECT_EQ(run(c, {parts, 0, workers}), expected)
-            << c.name << ", " << parts << " parts, " << workers << " workers";
-      }
+    for (const std::size_t workers : {1, 2, 3, 7}) {
+      EXPECT_EQ(run(c, {workers}, &again), expected) << c.name << ", " << workers << " workers";
+      EXPECT_EQ(run(c, {workers, 2}, &again), expected)
+          << c.name << ", long frames, " << workers << " workers";
     }
   }
+  EXPECT_GT(again, 0U) << "no domain was ever solved again";
 }
 
-TEST(EventWindows, WindowsOfAnyLengthGiveTheSameBits) {
-  constexpr double kFrame = 0.1;
-  for (const Case& c : cases()) {
-    if (c.name == "bullet") continue;
-    const Outcome expected = run(c, {});
-    std::uint64_t again = 0;
-    for (const double window : {0.01 * kFrame, 0.1 * kFrame, 0.5 * kFrame, kFrame, 10 * kFrame}) {
-      EXPECT_EQ(run(c, {4, window, 2, 1 / kFrame}, &again), expected)
-          << c.name << ", windows of " << window;
-      EXPECT_EQ(run(c, {3, window, 1, 1 / (10 * kFrame)}, &again), expected)
-          << c.name << ", windows of " << window << ", long frames";
-    }
-    EXPECT_TRUE(again > 0 || c.name == "in step") << c.name << ": nothing was ever undone";
-  }
-}
-
-TEST(EventWindows, AnyFrameRateGivesTheSameBits) {
+TEST(EventDomains, AnyFrameRateGivesTheSameBits) {
   const Case gas{"gas", test::gas(36, 40, 0.5), 1};
   const Case drop{"falling", falling(), 1};
   for (const Case& c : {gas, drop}) {
-    const Outcome expected = run(c, {});
+    const Outcome expected = run(c, {0});
     for (const double rate : {1.0, 7.0, 60.0, 333.3, 1000.0}) {
-      EXPECT_EQ(run(c, {2, 0, 2, rate}), expected) << c.name << ", rate " << rate;
+      EXPECT_EQ(run(c, {2, rate}), expected) << c.name << ", rate " << rate;
     }
   }
 }
 
 // Enough balls that the solver shares the plane by itself.
-TEST(EventWindows, WorkersOfASessionGiveTheSameBits) {
+TEST(EventDomains, WorkersOfASessionGiveTheSameBits) {
   Scene scene = test::gas(70, 60, 0.4);
   scene.solver.method = Method::event;
   scene.script = {{0.11, command::Remove{1000}}, {0.2, command::Remove{}}};
@@ -171,12 +159,11 @@ TEST(EventWindows, WorkersOfASessionGiveTheSameBits) {
     for (const double time : {0.05, 0.1, 0.12, 0.2, 0.5}) session.advance_clock_to(time);
     if (workers == 1) expected = session.simulation().state_hash();
     EXPECT_EQ(session.simulation().state_hash(), expected) << workers << " workers";
-    EXPECT_EQ(session.simulation().measure().phases.size(),
-              workers == 1 || workers == 40 ? 3U : 5U);
+    EXPECT_EQ(session.simulation().measure().phases.size(), 3U);
   }
 }
 
-TEST(EventWindows, WorkersThatStopAndGoOnInOtherNumbersGiveTheSameBits) {
+TEST(EventDomains, WorkersThatStopAndGoOnInOtherNumbersGiveTheSameBits) {
   Scene scene = test::gas(70, 60, 0.4);
   scene.solver.method = Method::event;
   scene.workers = 1;
@@ -191,7 +178,6 @@ TEST(EventWindows, WorkersThatStopAndGoOnInOtherNumbersGiveTheSameBits) {
     Simulation second(saved);
     second.advance_to(0.4);
     EXPECT_EQ(second.state_hash(), whole.state_hash()) << stop;
-    EXPECT_EQ(second.measure().phases.size(), 5U);
   }
 }
 

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "solvers/event/domains/near_lists.hpp"
+#include "solvers/event/lanes.hpp"
+
+namespace carom::event {
+
+/// The present flight of a ball carried to the start of the window, as if it had begun there: two
+/// of these move straight relative to each other.  Positions count from the middle of the domain.
+struct alignas(32) Path {
+  double x = 0;
+  double y = 0;
+  double vx = 0;
+  double vy = 0;
+};
+
+/// When balls can touch at the earliest: a quick bound that decides for which pairs the exact time
+/// is worked out.
+///
+/// Each pair is taken to touch `slack` before it does.  All roundings, of the carried paths too,
+/// are far smaller, so that no pair is missed. Times are seconds (of damped flights: their
+/// straightened ones) from the start of the window.
+class Approach {
+ public:
+  /// `periods`: of the axes that wrap; 0 for the others.  `radii`: by slot; null: all are `radius`.
+  Approach(const std::array<double, 2>& periods, double radius, const double* radii, double slack)
+      : wraps_(periods[0] > 0 || periods[1] > 0),
+        period_x_(all(periods[0])),
+        period_y_(all(periods[1])),
+        per_x_(all(periods[0] > 0 ? 1 / periods[0] : 0)),
+        per_y_(all(periods[1] > 0 ? 1 / periods[1] : 0)),
+        slack_(all(slack)),
+        reach_(2 * radius + slack),
+        radii_(radii) {}
+
+  /// One ball as the others see it.
+  struct Seer {
+    Lanes x, y, vx, vy, radius;
+  };
+  [[nodiscard]] Seer seer(const Path& path, Slot ball) const {
+    return {all(path.x), all(path.y), all(path.vx), all(path.vy),
+            all(radii_ == nullptr ? 0 : radii_[ball])};
+  }
+
+  /// Lower bounds for four others; infinite where they do not meet after `now`.
+  [[nodiscard, gnu::always_inline]] Lanes bounds(const Seer& me, const Path* paths,
+                                                 const Slot* others, Lanes now) const {
+    const auto xy = [paths](Slot k) { return TwoLanes{paths[k].x, paths[k].y}; };
+    const auto v = [paths](Slot k) { return TwoLanes{paths[k].vx, paths[k].vy}; };
+    const Slot a = others[0];
+    const Slot b = others[1];
+    const Slot c = others[2];
+    const Slot d = others[3];
+    const auto [x, y] = unzip<Lanes>(xy(a), xy(b), xy(c), xy(d));
+    const auto [vx, vy] = unzip<Lanes>(v(a), v(b), v(c), v(d));
+    Lanes dx = x - me.x;
+    Lanes dy = y - me.y;
+    const Lanes ux = vx - me.vx;
+    const Lanes uy = vy - me.vy;
+    if (wraps_) {
+      // The image that is near now: they may have gone round since the start of the window.
+      dx = fused(-period_x_, whole(fused(ux, now, dx) * per_x_), dx);
+      dy = fused(-period_y_, whole(fused(uy, now, dy) * per_y_), dy);
+    }
+    Lanes reach = all(reach_);
+    if (radii_ != nullptr) {
+      reach = me.radius + slack_ + Lanes{radii_[a], radii_[b], radii_[c], radii_[d]};
+    }
+    const Lanes zero{};
+    const Lanes along = fused(dx, ux, dy * uy);
+    const Lanes square = fused(ux, ux, uy * uy);
+    const Lanes gap = fused(dx, dx, fused(dy, dy, -(reach * reach)));
+    const Lanes discriminant = fused(along, along, -(square * gap));
+    const Lanes time = (-along - square_root(discriminant)) / square;
+    // They still come nearer, or all but.
+    const Lanes nearer = fused(square, now, along) - slack_ * (absolute(ux) + absolute(uy));
+    return (discriminant > zero) & (nearer < zero) ? time
+                                                   : all(std::numeric_limits<double>::infinity());
+  }
+
+ private:
+  [[gnu::always_inline]] static Lanes whole(Lanes a) {
+#if defined(__AVX__) && defined(__FMA__)
+    return _mm256_round_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+#else
+    return Lanes{std::rint(a[0]), std::rint(a[1]), std::rint(a[2]), std::rint(a[3])};
+#endif
+  }
+
+  bool wraps_;
+  Lanes period_x_;
+  Lanes period_y_;
+  Lanes per_x_;
+  Lanes per_y_;
+  Lanes slack_;
+  double reach_;
+  const double* radii_;
+};
+
+}  // namespace carom::event

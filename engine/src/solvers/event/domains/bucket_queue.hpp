@@ -1,0 +1,99 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solvers/event/domains/near_lists.hpp"
+#include "solvers/event/huge_pages.hpp"
+#include "solvers/event/ticks.hpp"
+
+namespace carom::event {
+
+/// One event for each ball of a domain, over one window of time.
+///
+/// The window is cut into as many buckets as there are events, a doubly linked list each; the
+/// earliest of the present bucket is looked for.  Whoever queues an event beyond the window keeps
+/// it out.
+///
+/// Times count from the start of the window.
+/// Source: G. Paul, A complexity O(1) priority queue for event driven molecular dynamics
+/// simulations, J. Comput. Phys. 221 (2007) 615.
+class BucketQueue {
+ public:
+  static constexpr std::uint32_t kMostBuckets = 0xfff0;
+
+  /// Empties it.  REQUIRES: `window` > 0.
+  void reset(std::size_t balls, Ticks window) {
+    const auto buckets =
+        static_cast<std::uint32_t>(std::clamp<std::size_t>(balls, 16, kMostBuckets));
+    heads_.assign(buckets, kNoSlot);
+    entries_.assign(balls, Entry{});
+    last_ = buckets - 1;
+    present_ = 0;
+    per_tick_ = buckets / static_cast<double>(window);
+  }
+
+  [[nodiscard]] bool holds(Slot ball) const { return entries_[ball].bucket != kNoSlot; }
+  /// REQUIRES: it holds the ball.
+  [[nodiscard]] Ticks time(Slot ball) const { return entries_[ball].time; }
+
+  /// REQUIRES: it does not hold the ball.
+  void add(Slot ball, Ticks time) {
+    const auto exact = static_cast<std::uint32_t>(
+        std::min(static_cast<double>(time) * per_tick_, static_cast<double>(last_)));
+    const std::uint32_t bucket = std::max(exact, present_);
+    const Slot next = heads_[bucket];
+    entries_[ball] = {time, next, kNoSlot, static_cast<Slot>(bucket)};
+    if (next != kNoSlot) entries_[next].before = ball;
+    heads_[bucket] = ball;
+  }
+
+  /// Takes the ball out, where it is in it.
+  void remove(Slot ball) {
+    Entry& entry = entries_[ball];
+    if (entry.bucket == kNoSlot) return;
+    if (entry.next != kNoSlot) entries_[entry.next].before = entry.before;
+    if (entry.before != kNoSlot) {
+      entries_[entry.before].next = entry.next;
+    } else {
+      heads_[entry.bucket] = entry.next;
+    }
+    entry.bucket = kNoSlot;
+  }
+
+  /// The ball with the earliest event, where that is not after `until`; else kNoSlot.
+  /// REQUIRES: what is added from now on is not before the event.
+  [[nodiscard]] Slot first(Ticks until) {
+    while (heads_[present_] == kNoSlot) {
+      if (present_ == last_) return kNoSlot;
+      ++present_;
+    }
+    Slot best = heads_[present_];
+    for (Slot k = entries_[best].next; k != kNoSlot; k = entries_[k].next) {
+      if (entries_[k].time < entries_[best].time) best = k;
+    }
+    return entries_[best].time <= until ? best : kNoSlot;
+  }
+
+  [[nodiscard]] std::size_t bytes() const {
+    return heads_.capacity() * sizeof(Slot) + entries_.capacity() * sizeof(Entry);
+  }
+
+ private:
+  struct Entry {
+    Ticks time = 0;
+    Slot next = kNoSlot;
+    Slot before = kNoSlot;
+    Slot bucket = kNoSlot;  ///< kNoSlot: not queued
+  };
+
+  std::vector<Slot> heads_;
+  HugeVector<Entry> entries_;
+  std::uint32_t last_ = 0;
+  std::uint32_t present_ = 0;
+  double per_tick_ = 1;
+};
+
+}  // namespace carom::event

@@ -1,0 +1,276 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "solvers/event/domains/domain_loop.hpp"
+
+namespace carom::event {
+
+/// Pairs are taken to touch so much earlier than they do, as a part of a radius and of the box:
+/// more than all roundings of carried paths.
+inline constexpr double kSlackOfRadius = 0x1p-30;
+inline constexpr double kSlackOfBox = 0x1p-44;
+
+template <class P>
+DomainLoop<P>::DomainLoop(const Motion<P>& motion, double normal_radius)
+    : motion_(motion),
+      normal_radius_(normal_radius),
+      bends_(motion.bends()),
+      approach_({0, 0}, 1, nullptr, 0) {
+  smallest_radius_ = never<double>();
+  for (const auto& kind : motion.rules().kinds) {
+    smallest_radius_ = std::min(smallest_radius_, kind.radius);
+  }
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    periods_[axis] = motion.rules().domain.period[axis];
+    per_period_[axis] = periods_[axis] > 0 ? 1 / periods_[axis] : 0;
+    farthest_[axis] = motion.farthest(axis) * (1 - 0x1p-20);
+    pull_[axis] = std::abs(motion.law().pull(axis)) / 2;
+  }
+}
+
+template <class P>
+void DomainLoop<P>::begin(const DomainWindow& window, const BlockFlight* flights,
+                          const double* spins) {
+  window_ = window;
+  flights_ = flights;
+  flight_spins_ = spins;
+  end_ = seconds(window.until);
+  bend_ = 2 * std::hypot(pull_[0], pull_[1]) * end_ * end_ / 8;
+  near_ = 2 * window.skin * (1 + 0x1p-20);
+  loading_.clear();
+  unusual_ = false;
+  tally_ = {};
+}
+
+// From the middle of the domain, in the nearest image.
+template <class P>
+[[gnu::always_inline]] inline Path DomainLoop<P>::path_at_start(const BlockFlight& flight) const {
+  Path path{flight.x, flight.y, flight.vx, flight.vy};
+  if (flight.start != kEver) {
+    if (!bends_) {
+      const double wait = motion_.rules().scale.seconds(window_.from - flight.start);
+      path.x += wait * flight.vx;
+      path.y += wait * flight.vy;
+    } else {
+      const Disk disk = flight.template disk<Disk>();
+      const Vec<double> at = motion_.place(disk, window_.from);
+      const Vec<double> v = motion_.velocity(disk, window_.from);
+      path = {at.x, at.y, v.x, v.y};
+    }
+  }
+  const double dx = path.x - window_.middle[0];
+  const double dy = path.y - window_.middle[1];
+  path.x = dx - periods_[0] * std::rint(dx * per_period_[0]);
+  path.y = dy - periods_[1] * std::rint(dy * per_period_[1]);
+  return path;
+}
+
+template <class P>
+void DomainLoop<P>::load(Index memory, bool own) {
+  const BlockFlight& flight = flights_[memory];
+  Loaded ball{path_at_start(flight), kNever, memory, 0, 0, own};
+  if (!own) {
+    const std::array<double, 2> at{ball.path.x, ball.path.y};
+    double distance = -1;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (window_.whole[axis]) continue;
+      const double inside = std::clamp(at[axis], window_.lowest[axis], window_.highest[axis]);
+      distance = std::max(distance, std::abs(inside) - window_.own[axis]);
+    }
+    distance -= std::max(0.0, motion_.rules().kinds[flight.kind].radius - normal_radius_);
+    ball.distance = static_cast<float>(distance);
+    if (distance > window_.full) {
+      const double part = (window_.reach - distance) / (window_.reach - window_.full);
+      if (!(part > 0)) return;
+      ball.limit = window_.from +
+                   static_cast<Ticks>(part * static_cast<double>(window_.until - window_.from));
+    }
+  }
+  loading_.push_back(ball);
+}
+
+template <class P>
+bool DomainLoop<P>::start() {
+  if (loading_.size() > kMostBalls) return false;
+  const auto n = static_cast<std::uint32_t>(loading_.size());
+  std::array<double, 2> wrapped{};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (window_.wraps[axis]) wrapped[axis] = periods_[axis];
+  }
+  cells_.reset(window_.loaded, wrapped, (2 * normal_radius_ + near_) * (1 + 0x1p-20), n);
+  search_.reset(n, window_.loaded, wrapped, near_);
+  queue_.reset(n, window_.until - window_.from + 1);
+  lists_.reset(n);
+  mixed_ = !motion_.one_kind();
+  sort_into_slots();
+  const double slack = kSlackOfRadius * smallest_radius_ +
+                       kSlackOfBox * (std::abs(window_.middle[0]) + window_.loaded[0] +
+                                      std::abs(window_.middle[1]) + window_.loaded[1]);
+  approach_ = Approach(wrapped, n == 0 ? 1 : radius(0), mixed_ ? radii_.data() : nullptr, slack);
+  list_all();
+  first_events();
+  return !unusual_;
+}
+
+template <class P>
+void DomainLoop<P>::sort_into_slots() {
+  const auto n = static_cast<std::uint32_t>(loading_.size());
+  ends_.assign(cells_.cells() + 1, 0);
+  for (Loaded& ball : loading_) {
+    ball.cell = cells_.cell_at(ball.path.x, ball.path.y);
+    ++ends_[ball.cell + 1];
+  }
+  for (std::size_t c = 0; c < cells_.cells(); ++c) ends_[c + 1] += ends_[c];
+  disks_.resize(n);
+  // Lists may be read a little beyond their last.
+  paths_.resize(n + 1);
+  sides_.resize(n);
+  trips_.resize(n);
+  spins_.resize(motion_.rules().spins ? n : 0);
+  radii_.resize(mixed_ ? n : 0);
+  large_.clear();
+  for (const Loaded& ball : loading_) {
+    const std::uint32_t k = ends_[ball.cell]++;
+    Disk& disk = disks_[k];
+    disk = flights_[ball.memory].template disk<Disk>();
+    paths_[k] = ball.path;
+    Side& side = sides_[k];
+    side = {};
+    side.limit = ball.limit;
+    side.memory = ball.memory;
+    side.own = ball.own ? 1 : 0;
+    side.fixed = motion_.fixed(disk) ? 1 : 0;
+    const double r = motion_.kind(disk).radius;
+    trips_[k] = {static_cast<float>(ball.path.x), static_cast<float>(ball.path.y), 0,
+                 ball.distance};
+    if (!spins_.empty()) spins_[k] = flight_spins_[ball.memory];
+    if (mixed_) radii_[k] = r;
+    search_.set(k, ball.path.x, ball.path.y, r);
+    if (r > normal_radius_) {
+      large_.push_back(static_cast<Slot>(k));
+    } else {
+      cells_.add(static_cast<Slot>(k), ball.cell);
+    }
+    side.x = ball.path.x;
+    side.y = ball.path.y;
+    side.leaves = never<double>();
+    if (bends_) {
+      side.leaves = exit(static_cast<Slot>(k), window_.from);
+    } else if (side.fixed == 0) {
+      const double square = disk.vx * disk.vx + disk.vy * disk.vy;
+      if (square > 0) side.leaves = window_.skin * (1 - 0x1p-20) / std::sqrt(square);
+    }
+    look_for_walls(static_cast<Slot>(k));
+  }
+}
+
+template <class P>
+void DomainLoop<P>::link(Slot i, Slot j) {
+  lists_.add(i, j);
+  lists_.add(j, i);
+}
+
+// Each pair once; the fast way where a cell and those around it are all different.  There ends_[c]
+// is the end of cell c, and its beginning the end of the one before.
+template <class P>
+void DomainLoop<P>::list_all() {
+  const auto n = static_cast<std::uint32_t>(disks_.size());
+  const auto is_large = [&](std::uint32_t k) { return mixed_ && radii_[k] > normal_radius_; };
+  for (const Slot i : large_) {
+    const std::uint32_t from = lists_.size(i);
+    search_.each_near(i, 0, n, [&](std::uint32_t k) {
+      if (k != i && (!is_large(k) || k > i)) link(i, static_cast<Slot>(k));
+    });
+    pair_up(i, from);
+  }
+  if (!cells_.plain()) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      if (is_large(i)) continue;
+      const auto me = static_cast<Slot>(i);
+      const std::uint32_t from = lists_.size(me);
+      cells_.each_near(cells_.cell_of(me), [&](Slot k) {
+        if (k > i) search_.each_near(i, k, k + 1U, [&](std::uint32_t) { link(me, k); });
+      });
+      pair_up(me, from);
+    }
+    return;
+  }
+  const bool any_large = !large_.empty();
+  const auto begin_of = [&](int c) { return c == 0 ? 0U : ends_[static_cast<std::size_t>(c) - 1]; };
+  const auto end_of = [&](int c) { return ends_[static_cast<std::size_t>(c)]; };
+  const int columns = cells_.count(0);
+  const int rows = cells_.count(1);
+  for (int y = 0; y < rows; ++y) {
+    const bool has_next = y + 1 < rows || cells_.wraps(1);
+    const int next = (y + 1 < rows ? y + 1 : 0) * columns;
+    for (int x = 0; x < columns; ++x) {
+      const int c = y * columns + x;
+      for (std::uint32_t i = begin_of(c); i < end_of(c); ++i) {
+        if (any_large && is_large(i)) continue;
+        const auto me = static_cast<Slot>(i);
+        const std::uint32_t from = lists_.size(me);
+        const auto seek = [&](std::uint32_t first, std::uint32_t last) {
+          search_.each_near(i, first, last, [&](std::uint32_t k) {
+            if (!any_large || !is_large(k)) link(me, static_cast<Slot>(k));
+          });
+        };
+        const bool at_end = x + 1 == columns;
+        seek(i + 1, end_of(at_end ? c : c + 1));
+        if (at_end && cells_.wraps(0)) seek(begin_of(y * columns), end_of(y * columns));
+        if (has_next) {
+          seek(begin_of(next + std::max(x - 1, 0)), end_of(next + std::min(x + 1, columns - 1)));
+          if (cells_.wraps(0) && x == 0)
+            seek(begin_of(next + columns - 1), end_of(next + columns - 1));
+          if (cells_.wraps(0) && at_end) seek(begin_of(next), end_of(next));
+        }
+        pair_up(me, from);
+      }
+    }
+  }
+}
+
+template <class P>
+void DomainLoop<P>::first_events() {
+  const auto n = static_cast<std::uint32_t>(disks_.size());
+  for (std::uint32_t k = 0; k < n && !unusual_; ++k) {
+    if (sides_[k].fixed == 0) {
+      settle(static_cast<Slot>(k), {disks_[k].meets, disks_[k].partner}, window_.from);
+    }
+  }
+}
+
+// The ball with those behind `from` in its list.
+template <class P>
+void DomainLoop<P>::pair_up(Slot i, std::uint32_t from) {
+  const std::uint32_t size = lists_.size(i);
+  const Slot* const others = lists_.items(i);
+  const typename Approach::Seer me = approach_.seer(paths_[i], i);
+  const auto note = [&](Slot a, Slot b, Ticks at) {
+    Disk& disk = disks_[a];
+    if (sides_[a].fixed != 0) return;
+    if (at == disk.meets) unusual_ = true;
+    if (at < disk.meets) {
+      disk.meets = at;
+      disk.partner = b;
+    }
+  };
+  for (std::uint32_t k = from; k < size; k += kLanes) {
+    const Lanes bounds = approach_.bounds(me, paths_.data(), others + k, Lanes{});
+    const WholeLanes soon = bounds < all(end_);
+    if (!any(soon)) continue;
+    for (std::uint32_t l = 0; l < kLanes && k + l < size; ++l) {
+      const Slot j = others[k + l];
+      if (soon[l] == 0) continue;
+      if (bounds[l] > sides_[i].leaves && bounds[l] > sides_[j].leaves) continue;
+      const Ticks at = pair_meets(i, j);
+      if (at <= window_.from) unusual_ = true;
+      if (at > window_.until) continue;
+      note(i, j, at);
+      note(j, i, at);
+    }
+  }
+}
+
+}  // namespace carom::event

@@ -1,0 +1,188 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solvers/event/domains/approach.hpp"
+#include "solvers/event/domains/block_flight.hpp"
+#include "solvers/event/domains/bucket_queue.hpp"
+#include "solvers/event/domains/cell_chains.hpp"
+#include "solvers/event/domains/near_lists.hpp"
+#include "solvers/event/domains/near_search.hpp"
+#include "solvers/event/motion.hpp"
+#include "solvers/event/sampled_costs.hpp"
+
+namespace carom::event {
+
+/// What a domain solves: a rectangle of the plane over a window of time.
+struct DomainWindow {
+  std::array<double, 2> middle{0, 0};
+  std::array<double, 2> own{0, 0};      ///< half the sides of the rectangle whose balls it owns
+  std::array<double, 2> loaded{0, 0};   ///< the same with its halo
+  std::array<bool, 2> wraps{};          ///< the axis is periodic, and all of it is loaded
+  std::array<bool, 2> whole{};          ///< all of the axis is loaded
+  std::array<double, 2> lowest{0, 0};   ///< ends of the box, from the middle; where an axis is
+  std::array<double, 2> highest{0, 0};  ///< periodic, no place is beyond
+  double full = 0;   ///< balls of the halo no farther away are followed to the end,
+  double reach = 0;  ///< those at this distance not at all, those between for part of the window
+  double skin = 0;   ///< balls are listed that can meet before either has gone this far
+  Ticks from = 0;
+  Ticks until = 0;
+};
+
+/// A domain: an event loop over some thousand balls and one window, all of it in the processor's
+/// cache, made from flights alone and thrown away afterwards.
+///
+/// A ball keeps the earliest event that it is known to have; where its partner changes before, it
+/// looks again then.  Which pairs can meet is told by a quick bound (Approach); only for those is
+/// the exact time worked out, the same pure function that Tile uses.
+///
+/// What is rare is not done here: impacts of one instant that share a ball, or that are passed on
+/// at once.  Then the window is to be solved by Tile from the same flights.
+///
+/// Source: B. Lubachevsky, J. Comput. Phys. 94 (1991) 255: one event a ball.
+template <class P>
+class DomainLoop {
+ public:
+  using Disk = typename P::Disk;
+  static constexpr std::size_t kMostBalls = 60000;
+
+  /// `normal_radius`: balls that are larger are few, and looked at one by one.
+  DomainLoop(const Motion<P>& motion, double normal_radius);
+
+  /// Forgets all balls.  `flights` and `spins` (null: balls have none) are to last until `start`.
+  void begin(const DomainWindow& window, const BlockFlight* flights, const double* spins);
+  /// `memory`: the number of the flight.
+  void load(Index memory, bool own);
+  /// With all balls loaded.  False: the window is not for a domain.
+  [[nodiscard]] bool start();
+  /// Everything up to `until` has happened then.  False: the window is not for a domain.
+  [[nodiscard]] bool advance_to(Ticks until);
+
+  [[nodiscard]] const DomainWindow& window() const { return window_; }
+  [[nodiscard]] std::size_t size() const { return disks_.size(); }
+  [[nodiscard]] const Disk& disk(std::size_t k) const { return disks_[k]; }
+  [[nodiscard]] const double* spin(std::size_t k) const {
+    return spins_.empty() ? nullptr : &spins_[k];
+  }
+  [[nodiscard]] Index memory(std::size_t k) const { return sides_[k].memory; }
+  [[nodiscard]] bool owns(std::size_t k) const { return sides_[k].own != 0; }
+  /// Of everything that has happened to the ball in the window.
+  [[nodiscard]] std::uint64_t history(std::size_t k) const { return sides_[k].history; }
+  /// How far it may have been from where it was at the start of the window.
+  [[nodiscard]] float displacement(std::size_t k);
+  /// From what the domain owns to where the ball was at the start; its radius, where it is larger
+  /// than normal, taken off.
+  [[nodiscard]] float distance(std::size_t k) const { return trips_[k].distance; }
+  /// It was followed to the end of the window.
+  [[nodiscard]] bool followed(std::size_t k) const { return sides_[k].limit >= window_.until; }
+
+  /// Impacts of own balls; between two balls each counts one for either.
+  struct Tally {
+    std::uint64_t ball_halves = 0;
+    std::uint64_t walls = 0;
+    double max_overlap = 0;
+    std::uint64_t events = 0;
+    std::uint64_t scans = 0;
+    std::uint64_t stale = 0;
+    std::uint64_t renewals = 0;
+    std::vector<double> lost;  ///< energy, by impact
+    Costs costs;               ///< of all but pairs, from a sample of the events
+  };
+  [[nodiscard]] const Tally& tally() const { return tally_; }
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  struct Side {
+    double x = 0;  ///< middle of its safe circle
+    double y = 0;
+    double leaves = 0;  ///< when it leaves that, seconds from the start
+    Ticks limit = kNever;
+    std::uint64_t history = 0;
+    std::uint32_t changes = 0;          ///< flights that it has begun
+    std::uint32_t partner_changes = 0;  ///< what its partner had, when that was found
+    Index memory = 0;
+    std::uint8_t own = 0;
+    std::uint8_t fixed = 0;
+    std::uint8_t at_wall = 0;  ///< a wall may be met within its circle
+  };
+  struct Trip {
+    float x = 0;
+    float y = 0;
+    float square = 0;  ///< of the largest distance from there so far
+    float distance = 0;
+  };
+  struct Loaded {
+    Path path;
+    Ticks limit;
+    Index memory;
+    float distance;
+    std::uint32_t cell;
+    bool own;
+  };
+
+  // Loading: domain_load_body.hpp.
+  [[nodiscard]] Path path_at_start(const BlockFlight& flight) const;
+  void sort_into_slots();
+  void list_all();
+  void link(Slot i, Slot j);
+  void first_events();
+  void pair_up(Slot i, std::uint32_t from);
+
+  // Events: domain_loop_body.hpp.
+  [[nodiscard]] double seconds(Ticks time) const {
+    return motion_.rules().scale.seconds(time - window_.from);
+  }
+  [[nodiscard]] double radius(Slot i) const { return motion_.kind(disks_[i]).radius; }
+  [[nodiscard]] double* spin_of(Slot i) { return spins_.empty() ? nullptr : &spins_[i]; }
+  [[nodiscard]] Vec<double> place(Slot i, Ticks now) const;
+  void note_place(std::size_t i, double x, double y);
+  void handle(Slot i, Ticks now);
+  void time_event(Slot i, Ticks now);
+  void meet(Slot i, Slot j, Ticks now);
+  void fly_on(Slot i, Ticks now);
+  void choose_circle(Slot i, Ticks now);
+  void renew(Slot i, Ticks now);
+  [[nodiscard]] double exit(Slot i, Ticks now) const;
+  void scan(Slot i, Ticks now);
+  void settle(Slot i, Meeting<P> best, Ticks now);
+  [[nodiscard]] Ticks pair_meets(Slot i, Slot j) const;
+  [[nodiscard]] bool meets_nothing_alone(const Disk& disk, const Side& side, Ticks until) const;
+  void look_for_walls(Slot i);
+
+  const Motion<P>& motion_;
+  double normal_radius_;
+  double smallest_radius_ = 0;
+  bool bends_;
+  bool mixed_ = false;
+  DomainWindow window_;
+  double end_ = 0;                   ///< of the window, seconds from its start
+  double near_ = 0;                  ///< lists reach so far beyond the two radii
+  std::array<double, 2> periods_{};  ///< of the periodic axes
+  std::array<double, 2> per_period_{};
+  std::array<double, 2> farthest_{};  ///< that a flight may go
+  std::array<double, 2> pull_{};      ///< half of what gravity pulls with, either way
+  Approach approach_;
+  double bend_ = 0;  ///< how far gravity bends a flight in the window
+  const BlockFlight* flights_ = nullptr;
+  const double* flight_spins_ = nullptr;
+  std::vector<Loaded> loading_;
+  HugeVector<Disk> disks_;
+  HugeVector<Path> paths_;
+  HugeVector<Side> sides_;
+  std::vector<Trip> trips_;
+  std::vector<double> spins_;
+  std::vector<double> radii_;  ///< where they differ
+  std::vector<Slot> large_;    ///< balls larger than normal
+  NearLists lists_;
+  CellChains cells_;
+  BucketQueue queue_;
+  NearSearch search_;
+  std::vector<std::uint32_t> ends_;  ///< of each cell, in the order of slots
+  bool unusual_ = false;
+  Tally tally_;
+};
+
+}  // namespace carom::event

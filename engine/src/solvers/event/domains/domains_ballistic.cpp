@@ -1,0 +1,3 @@
+#include "solvers/event/domains/compiled.hpp"
+
+CAROM_COMPILE_DOMAINS(Ballistic)

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "solvers/event/lanes.hpp"
+
+namespace carom::event {
+
+/// Finds which of many places in a row are near to one of them, eight at a time.
+///
+/// Places are in single precision: those found may be a little farther away than asked for, and
+/// none is missed that is not.
+class NearSearch {
+ public:
+  static constexpr std::uint32_t kAtATime = 8;
+
+  /// `half`: of the plane that the places are in, from its middle; `periods`: 0 where an axis does
+  /// not wrap; `reach`: to be near, without the two radii.
+  void reset(std::size_t balls, const std::array<double, 2>& half,
+             const std::array<double, 2>& periods, double reach) {
+    constexpr float kFar = 1e18F;
+    x_.assign(balls + kAtATime, kFar);
+    y_.assign(balls + kAtATime, kFar);
+    radius_.assign(balls + kAtATime, 0);
+    period_ = {static_cast<float>(periods[0]), static_cast<float>(periods[1])};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      per_[axis] = periods[axis] > 0 ? static_cast<float>(1 / periods[axis]) : 0;
+    }
+    reach_ = static_cast<float>((reach + 8 * 0x1p-24 * (half[0] + half[1])) * (1 + 0x1p-16));
+  }
+  void set(std::uint32_t k, double x, double y, double radius) {
+    x_[k] = static_cast<float>(x);
+    y_[k] = static_cast<float>(y);
+    radius_[k] = static_cast<float>(radius);
+  }
+
+  /// Calls visit(k) for the places from `first` to `last` that are near to place i.
+  template <class Visit>
+  void each_near(std::uint32_t i, std::uint32_t first, std::uint32_t last,
+                 const Visit& visit) const {
+    for (std::uint32_t k = first; k < last; k += kAtATime) {
+      std::uint32_t mask = near_mask(i, k);
+      if (last - k < kAtATime) mask &= (1U << (last - k)) - 1;
+      for (; mask != 0; mask &= mask - 1) {
+        visit(k + static_cast<std::uint32_t>(std::countr_zero(mask)));
+      }
+    }
+  }
+
+ private:
+  [[nodiscard, gnu::always_inline]] std::uint32_t near_mask(std::uint32_t i,
+                                                            std::uint32_t k) const {
+#if defined(__AVX__) && defined(__FMA__)
+    constexpr int kNearest = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
+    const auto way = [kNearest](float at, const float* others, float period, float per) {
+      const __m256 d = _mm256_sub_ps(_mm256_set1_ps(at), _mm256_loadu_ps(others));
+      const __m256 turns = _mm256_round_ps(_mm256_mul_ps(d, _mm256_set1_ps(per)), kNearest);
+      return _mm256_fnmadd_ps(_mm256_set1_ps(period), turns, d);
+    };
+    const __m256 dx = way(x_[i], &x_[k], period_[0], per_[0]);
+    const __m256 dy = way(y_[i], &y_[k], period_[1], per_[1]);
+    const __m256 reach =
+        _mm256_add_ps(_mm256_set1_ps(reach_ + radius_[i]), _mm256_loadu_ps(&radius_[k]));
+    const __m256 square = _mm256_fmadd_ps(dx, dx, _mm256_mul_ps(dy, dy));
+    return static_cast<std::uint32_t>(
+        _mm256_movemask_ps(_mm256_cmp_ps(square, _mm256_mul_ps(reach, reach), _CMP_LT_OQ)));
+#else
+    std::uint32_t mask = 0;
+    for (std::uint32_t l = 0; l < kAtATime; ++l) {
+      float dx = x_[i] - x_[k + l];
+      float dy = y_[i] - y_[k + l];
+      dx -= period_[0] * std::rint(dx * per_[0]);
+      dy -= period_[1] * std::rint(dy * per_[1]);
+      const float reach = reach_ + radius_[i] + radius_[k + l];
+      mask |= dx * dx + dy * dy < reach * reach ? 1U << l : 0U;
+    }
+    return mask;
+#endif
+  }
+
+  std::vector<float> x_;
+  std::vector<float> y_;
+  std::vector<float> radius_;
+  std::array<float, 2> period_{};
+  std::array<float, 2> per_{};
+  float reach_ = 0;
+};
+
+}  // namespace carom::event
