@@ -15,7 +15,7 @@ constexpr std::size_t kPair = 2 * sizeof(int) + kNumber;
 constexpr std::size_t kCellEntry = 3 * kNumber + 2 * sizeof(int) + 2 * sizeof(int);
 
 constexpr std::size_t kNeighbours = 110;  // a ball's square and the lists it is in
-constexpr std::size_t kAgenda = 40;       // a ball's entries, some of them outdated
+constexpr std::size_t kQueue = 40;        // a ball's entries, some of them outdated
 
 /// Neighbours are looked for out to about one and a half contact distances.
 std::size_t listed_pairs(const Scene& scene, const std::vector<Ball>& balls) {
@@ -33,7 +33,7 @@ void describe_event(const Scene& scene, Footprint& result) {
   if (scene.effects.collisions) {
     result.lists.emplace_back("neighbours", n * kNeighbours);
   }
-  result.lists.emplace_back("agenda", n * kAgenda);
+  result.lists.emplace_back("event queue", n * kQueue);
   result.barriers = {"do_frame", scene.effects.walls ? "wall_computation" : "flight"};
   if (scene.effects.collisions) {
     result.barriers.insert(result.barriers.end(), {"pair_computation", "pair_resolution"});
