@@ -27,7 +27,8 @@ struct Checkpoint {
 
 /// The checkpoints of one run, in a file of their own.
 ///
-/// Holds: the file is whole at any time.  Errors: std::system_error that names the option and the
+/// Holds: the file is whole at any time.
+/// Errors: std::system_error that names the option and the
 /// file; UsageError where the file is no checkpoint of this run.
 class CheckpointFile {
  public:

@@ -53,14 +53,18 @@ bool meet(std::string_view one, std::string_view other) {
   throw error;
 }
 
-/// Of the scene, and of running it for as long as the options say; how long a run may be at all is
-/// judged by its schedule.
-std::vector<Problem> problems_of(const Scene& scene, const Options& options) {
-  std::vector<Problem> problems = find_problems(scene);
+/// Of the scene with the options, and of running it for as long as they say; how long a run may be
+/// at all is judged by its schedule.  The balls are as they were read.
+std::vector<Problem> problems_of(Scene& scene, const Options& options) {
+  if (!options.method && !options.step && !options.digits && !options.seed && !options.workers &&
+      !options.time) {
+    return {};
+  }
+  std::vector<Problem> problems = find_problems(scene, Known::balls);
   if (!problems.empty() || !options.time) return problems;
-  Scene timed = scene;
-  timed.duration = *options.time;
-  problems = find_problems(timed);
+  const double duration = std::exchange(scene.duration, *options.time);
+  problems = find_problems(scene, Known::balls);
+  scene.duration = duration;
   std::erase_if(problems, [](const Problem& problem) { return problem.place == "/duration"; });
   return problems;
 }

@@ -126,7 +126,7 @@ int run(const Options& options) {
 
   const auto started = Clock::now();
   CheckpointFile checkpoints(options.checkpoint, options.checkpoint_every,
-                             identity(scene, options));
+                             options.checkpoint.empty() ? "" : identity(scene, options));
   std::optional<Checkpoint> earlier = checkpoints.read();
   auto holder = std::make_unique<Session>(earlier ? earlier->scene : scene);
   if (earlier) holder->simulation().go_on_from(earlier->numbering);
@@ -160,8 +160,13 @@ int run(const Options& options) {
   report.frames = schedule.frames();
   report.ended = end_name(schedule.end());
   report.wall_seconds = std::chrono::duration<double>(Clock::now() - started).count();
-  report_file->write(to_json(report, !options.no_state));
-  save->write(write_scene(session.save()));
+  if (*report_file) {
+    write_report(report, options.no_state ? nullptr : &session.simulation(),
+                 [&](std::string_view text) { report_file->write(text); });
+  }
+  if (*save) {
+    write_scene(session.save_stream(), [&](std::string_view text) { save->write(text); });
+  }
 
   outputs->commit();
   report_file->commit();

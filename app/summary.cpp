@@ -61,7 +61,7 @@ std::string to_summary(const Report& report) {
   std::string text = report.scene.empty() ? "a scene without a name\n" : report.scene + '\n';
   text += row("time", fmt::format("{:.10g} s simulated{}", report.time, end_of(report)));
   text += row("frames", fmt::format("{}", report.frames));
-  text += row("balls", fmt::format("{}", report.state.size()));
+  text += row("balls", fmt::format("{}", report.balls));
   text += row("workers", workers(report));
   text += row("method", method(report));
   text += row("events",

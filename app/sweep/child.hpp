@@ -21,7 +21,8 @@ class Child {
   Child& operator=(Child&&) = delete;
 
   [[nodiscard]] int process() const { return process_; }
-  /// What it left.  REQUIRES: it has ended, with this status as waitpid() gives it.
+  /// What it left.
+  /// REQUIRES: it has ended, with this status as waitpid() gives it.
   struct Outcome {
     bool good = false;
     std::string how;  ///< as in "exit status 2"

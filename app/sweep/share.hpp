@@ -16,11 +16,13 @@ struct TaskShare {
   [[nodiscard]] bool owns(std::size_t point) const { return point % count == index; }
 };
 
-/// Reads "I/N", I from 0.  Errors: UsageError.
+/// Reads "I/N", I from 0.
+/// Errors: UsageError.
 TaskShare parse_share(const std::string& text);
 
 /// What the environment of Slurm, Open MPI or PMI says; all points where it says nothing.
-/// `look` gives the value of a variable.  Errors: UsageError where it contradicts itself.
+/// `look` gives the value of a variable.
+/// Errors: UsageError where it contradicts itself.
 TaskShare share_of_environment(
     const std::function<std::optional<std::string>(const char* name)>& look);
 

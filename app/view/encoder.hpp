@@ -11,7 +11,8 @@ namespace carom {
 /// shows already, in few bytes.
 ///
 /// Runs of cells are sent in the order of rows, or gathered by colour, whichever is shorter; the
-/// cursor is moved by the shortest sequence.  REQUIRES: the terminal takes ANSI (ECMA-48)
+/// cursor is moved by the shortest sequence.
+/// REQUIRES: the terminal takes ANSI (ECMA-48)
 /// sequences, and UTF-8 where the picture has more than ASCII.
 class Encoder {
  public:

@@ -11,7 +11,8 @@ struct TerminalModes {
   std::string leave;  ///< undoes all of `enter`, whatever state the output was cut off in
 };
 
-/// For the terminal that TERM names.  REQUIRES: its description has been loaded.
+/// For the terminal that TERM names.
+/// REQUIRES: its description has been loaded.
 TerminalModes terminal_modes(const std::string& term, bool mouse);
 
 }  // namespace carom

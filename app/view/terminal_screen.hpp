@@ -10,7 +10,8 @@
 
 namespace carom {
 
-/// The terminal.  REQUIRES: `info.problem` is empty; one at a time.
+/// The terminal.
+/// REQUIRES: `info.problem` is empty; one at a time.
 ///
 /// Output never holds up the program: where the terminal takes none (it was stopped by Ctrl-S, or
 /// its window does not read), pictures are left out until it does, and keys and signals work on.

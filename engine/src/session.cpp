@@ -107,8 +107,12 @@ bool Session::stuck() const {
 }
 
 Scene Session::save() const {
-  Scene scene = simulation_.save();
-  if (!scene.continuation) scene.continuation.emplace();
+  return save_stream().collect();
+}
+
+SceneStream Session::save_stream() const {
+  SceneStream stream = simulation_.save_stream();
+  Scene& scene = stream.head;
   scene.continuation->clock = clock_;
   scene.continuation->paused = paused_;
   if (!paused_ && (clock_origin_ != 0 || time_origin_ != 0)) {
@@ -117,7 +121,7 @@ Scene Session::save() const {
   }
   scene.script.assign(scene_.script.begin() + static_cast<std::ptrdiff_t>(next_line_),
                       scene_.script.end());
-  return scene;
+  return stream;
 }
 
 void Session::go_on_from(const Scene& log) {

@@ -18,13 +18,13 @@
 namespace carom {
 namespace {
 
-std::unique_ptr<Solver> make_checked(const Scene& scene, const std::vector<Ball>& balls) {
+std::unique_ptr<Solver> make_checked(const Scene& scene, std::vector<Ball> balls) {
   const Method method = choose_method(scene).method;
   std::vector<Problem> problems = scene::find_unavailable(scene, method);
   if (!problems.empty()) {
     throw SceneError(scene.name.empty() ? "scene" : scene.name, std::move(problems));
   }
-  return make_solver(scene, balls, method);
+  return make_solver(scene, std::move(balls), method);
 }
 
 }  // namespace
@@ -33,26 +33,28 @@ class Simulation::Implementation {
  public:
   explicit Implementation(const Scene& scene) : Implementation(scene, populate(scene)) {}
 
-  Implementation(const Scene& scene, const std::vector<Ball>& balls)
+  Implementation(const Scene& scene, std::vector<Ball> balls)
       : scene_(scene),
         method_(choose_method(scene).method),
-        solver_(make_checked(scene, balls)),
         moving_(count_moving(balls)),
+        solver_(make_checked(scene, std::move(balls))),
         // What starts with a thread for each ball keeps one for each ball.
         per_ball_(scene.played && !scene.workers &&
-                  worker_count(scene, balls.size(), moving_) == std::max<std::size_t>(1, moving_)),
+                  worker_count(scene, solver_->balls(), moving_) ==
+                      std::max<std::size_t>(1, moving_)),
         time_(scene.continuation ? scene.continuation->time : 0),
-        crew_(worker_count(scene, balls.size(), moving_), solver_->phases()),
+        crew_(worker_count(scene, solver_->balls(), moving_), solver_->phases()),
         energy_initial_(solver_->energy()),
         energy_largest_(std::abs(energy_initial_)),
         dissipated_before_(solver_->dissipated()),
         momentum_initial_(solver_->momentum()),
-        ids_(balls.size()),
-        next_id_(balls.size()) {
+        ids_(solver_->balls()),
+        next_id_(solver_->balls()) {
     std::iota(ids_.begin(), ids_.end(), std::size_t{0});
-    scene_.balls.clear();
+    scene_.balls = std::vector<Ball>();
     scene_.fills.clear();
     scene_.script.clear();
+    if (scene_.continuation) scene_.continuation->flights = std::vector<SavedFlight>();
     scene_.solver.method = method_;  // whatever the balls are that are left
     solver_->set_workers(crew_.workers());
   }
@@ -136,14 +138,16 @@ class Simulation::Implementation {
     return result;
   }
 
-  Scene save() const {
-    Scene scene = scene_;
-    scene.balls = solver_->state();
+  SceneStream save() const {
+    SceneStream stream{
+        scene_, [this](const SceneStream::Balls& visit) { solver_->visit_saved(visit); },
+        [this](const SceneStream::Flights& visit) { solver_->visit_flights(visit); }};
+    Scene& scene = stream.head;
     scene.continuation.emplace();
     scene.continuation->time = time_;
     scene.continuation->clock = time_;
     solver_->save(scene);
-    return scene;
+    return stream;
   }
 
   void record_impacts(bool wanted) {
@@ -246,8 +250,8 @@ class Simulation::Implementation {
 
   Scene scene_;  // without balls and script
   Method method_;
-  std::unique_ptr<Solver> solver_;
   std::size_t moving_;  // balls that are not fixed
+  std::unique_ptr<Solver> solver_;
   bool per_ball_;
   double time_;
   Crew crew_;
@@ -298,12 +302,11 @@ Frame Simulation::frame() const {
   frame.time = time();
   frame.box = implementation_->scene().box;
   frame.walls = has_walls(implementation_->scene().effects);
-  const std::vector<Ball> balls = state();
-  frame.balls.reserve(balls.size());
-  for (const Ball& ball : balls) {
+  frame.balls.reserve(balls());
+  visit_state([&frame](const Ball& ball) {
     frame.balls.push_back(
         {ball.position, ball.radius, ball.velocity.norm(), ball.fixed, ball.glyph});
-  }
+  });
   return frame;
 }
 
@@ -319,7 +322,13 @@ std::vector<ExactPosition> Simulation::exact_positions() const {
 std::string Simulation::state_hash() const {
   return implementation_->solver().state_hash();
 }
+void Simulation::visit_state(const std::function<void(const Ball&)>& visit) const {
+  implementation_->solver().visit_state(visit);
+}
 Scene Simulation::save() const {
+  return implementation_->save().collect();
+}
+SceneStream Simulation::save_stream() const {
   return implementation_->save();
 }
 const std::vector<std::size_t>& Simulation::ids() const {

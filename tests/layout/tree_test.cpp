@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "support/process.hpp"
 
@@ -60,6 +61,19 @@ TEST(Tree, ClangFormatHasNothingToChange) {
   ASSERT_GT(files.size(), 40U);
   const auto outcome = run_tool("clang-format-14 --dry-run --Werror", files);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+TEST(Tree, LabelsOfCommentsBeginTheirLines) {
+  const std::regex inside("[ \t]*//+.*[^/ ] +(Holds|Errors|Threads|Source|Units|REQUIRES): .*");
+  for (const char* folder : {"engine", "app", "tests"}) {
+    for (const std::string& file : files_below(folder, {".cpp", ".hpp"})) {
+      std::istringstream lines(support::read_file(file));
+      std::string line;
+      for (int number = 1; std::getline(lines, line); ++number) {
+        EXPECT_FALSE(std::regex_match(line, inside)) << file << ':' << number << ": " << line;
+      }
+    }
+  }
 }
 
 TEST(Tree, MandocFindsNothingToSayAboutThePages) {

@@ -26,7 +26,8 @@ struct BarrierSystem;
 /// Holds: 0 <= arrived < parties whenever nobody is inside a member function.
 /// System: BarrierSystem, or what a test puts in its place to hold a thread between two moves.
 /// Errors: what the completion throws cancels the barrier and is rethrown to the thread that ran
-/// it. REQUIRES: destroyed only when no thread is inside a member function.
+/// it.
+/// REQUIRES: destroyed only when no thread is inside a member function.
 template <class System>
 class BasicBarrier {
  public:
@@ -43,7 +44,8 @@ class BasicBarrier {
   /// One party more: the phase that is open now does not end before it has arrived.
   void join();
   /// One party fewer; counts as the arrival of the party that leaves, and ends the phase (running
-  /// the completion here) if all others have arrived.  REQUIRES: that party is not waiting.
+  /// the completion here) if all others have arrived.
+  /// REQUIRES: that party is not waiting.
   void leave();
   /// Releases everybody, now and for good.
   void cancel();

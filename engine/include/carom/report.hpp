@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "carom/session.hpp"
+#include "carom/text_sink.hpp"
 
 namespace carom {
 
@@ -25,13 +26,13 @@ struct Report {
   bool spin = false;  ///< the scene has friction, and its balls spin
   Measurements measurements;
   std::string state_hash;
-  std::vector<Ball> state;
+  std::size_t balls = 0;
 };
 
 Report make_report(const Session& session);
 
-/// The report as a JSON object, with the state of the balls or without.
-std::string to_json(const Report& report, bool with_state = true);
+/// Writes the report as a JSON object, with the state of the balls, one by one, or without.
+void write_report(const Report& report, const Simulation* with_state, const TextSink& sink);
 
 const char* method_name(Method method);
 

@@ -32,17 +32,24 @@ class SceneError : public std::runtime_error {
   std::vector<Problem> problems_;
 };
 
-/// Reads and checks a scene.  Errors: SceneError with every problem found, in the file's order.
+/// Reads and checks a scene.
+/// Errors: SceneError with every problem found, in the file's order.
 Scene read_scene(const std::filesystem::path& file);
 
 /// The same from text; `source` is the name used in messages.
 Scene parse_scene(std::string_view text, const std::string& source);
 
+/// What has been found right before, and has not changed since.
+enum class Known { nothing, balls };
+
 /// What is wrong with a scene that was made or changed in the program.
-std::vector<Problem> find_problems(const Scene& scene);
+std::vector<Problem> find_problems(const Scene& scene, Known known = Known::nothing);
 
 /// The scene as JSON text that `parse_scene` reads back to the same bits.
 std::string write_scene(const Scene& scene);
+
+/// The JSON Schema of scenes, as text: scenes/scene.schema.json.
+std::string scene_schema();
 
 /// The break of fifteen balls: what carom plays when no scene is named.
 Scene builtin_scene();

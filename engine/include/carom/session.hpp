@@ -56,6 +56,8 @@ class Session {
 
   /// The present state, rest of the script and frame clock as a scene that goes on bit for bit.
   [[nodiscard]] Scene save() const;
+  /// The same for `write_scene`, without a copy of the balls.
+  [[nodiscard]] SceneStream save_stream() const;
 
   /// What was done so far as a scene: the same start, a script of the commands that were obeyed, by
   /// simulated time, and the time that has passed as its duration.  A run of it ends in the same

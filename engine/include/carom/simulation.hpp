@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,7 @@
 #include "carom/impact.hpp"
 #include "carom/measurements.hpp"
 #include "carom/scene.hpp"
+#include "carom/scene_stream.hpp"
 #include "carom/timeline.hpp"
 
 namespace carom {
@@ -61,12 +63,16 @@ class Simulation {
   [[nodiscard]] Measurements measure() const;
   /// The balls as they are now, in the order of the scene's balls, its fills, and later additions.
   [[nodiscard]] std::vector<Ball> state() const;
+  /// The same balls one by one, without a copy of all.
+  void visit_state(const std::function<void(const Ball&)>& visit) const;
   /// Where they are to the last digit that is computed: `state` rounds to double.
   [[nodiscard]] std::vector<ExactPosition> exact_positions() const;
   /// Hexadecimal digest of the exact bits of the state.
   [[nodiscard]] std::string state_hash() const;
   /// The present state as a scene that goes on bit for bit; without script and frame clock.
   [[nodiscard]] Scene save() const;
+  /// The same for `write_scene`, without a copy of the balls.
+  [[nodiscard]] SceneStream save_stream() const;
 
   /// The number that each ball of `state` keeps for good: its place among the scene's balls, its
   /// fills and later additions, whatever has been removed.

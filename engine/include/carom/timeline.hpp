@@ -9,7 +9,8 @@ namespace carom {
 
 /// What one thread did between two barriers: it computed, then waited for the others.
 ///
-/// Times are nanoseconds since recording began.  Holds: begin <= arrived <= left.
+/// Times are nanoseconds since recording began.
+/// Holds: begin <= arrived <= left.
 struct TimelineEntry {
   std::int64_t begin = 0;    ///< it began to compute
   std::int64_t arrived = 0;  ///< it arrived at the barrier and began to wait

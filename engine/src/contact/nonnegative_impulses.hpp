@@ -63,7 +63,8 @@ std::vector<S> stopping_impulses(const ContactGraph<S>& graph, const std::vector
 /// Impulses >= 0 for the same problem, by descent: every contact that approaches is let in at once,
 /// and the way to the stopping impulses ends where the first of them would become negative, which
 /// then leaves.  Each pass takes energy, so that it ends where block pivoting goes round in
-/// circles. Ties enter and leave together: no order is seen. Source: Lawson and Hanson, Solving
+/// circles. Ties enter and leave together: no order is seen.
+/// Source: Lawson and Hanson, Solving
 /// Least Squares Problems (1974), ch. 23, with several at once.
 template <class S>
 std::vector<S> descending_impulses(const ContactGraph<S>& graph, const std::vector<S>& parting,

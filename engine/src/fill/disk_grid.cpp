@@ -26,6 +26,8 @@ std::int64_t to_cell(double index) {
 
 /// So much wider than its disks is a cell, that rounding moves no disk beyond the next cell.
 constexpr double kWider = 1 + 0x1p-10;
+/// More do not fit into the nearest memory.
+constexpr std::size_t kMany = 1000;
 
 std::int64_t wrapped(std::int64_t index, std::int64_t count) {
   const std::int64_t rest = index % count;
@@ -78,10 +80,11 @@ DiskGrid::Cell DiskGrid::cell_of(const Level& level, const Vec2& position) const
 }
 
 std::size_t DiskGrid::bucket(const Level& level, const Cell& cell) {
-  std::uint64_t h = static_cast<std::uint64_t>(cell[0]) * 0x9E3779B97F4A7C15U +
-                    static_cast<std::uint64_t>(cell[1]) * 0xC2B2AE3D27D4EB4FU;
+  // Cells beside each other in a row have buckets beside each other in memory.
+  std::uint64_t h = static_cast<std::uint64_t>(cell[1]) * 0xC2B2AE3D27D4EB4FU;
   h ^= h >> 32;
-  return static_cast<std::size_t>(h) & (level.buckets.size() - 1);
+  return static_cast<std::size_t>(h + static_cast<std::uint64_t>(cell[0])) &
+         (level.buckets.size() - 1);
 }
 
 void DiskGrid::put_into_bucket(Level& level, std::uint32_t number) {
@@ -113,7 +116,8 @@ void DiskGrid::insert(const Vec2& position, double radius) {
   const auto number = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back({position, radius, cell_of(*level, position), kNone});
   put_into_bucket(*level, number);
-  if (++level->count > level->buckets.size()) sort_anew(*level, level->buckets.size() * 4);
+  // Most buckets are empty, so that few disks of other cells are looked at.
+  if (++level->count * 4 > level->buckets.size()) sort_anew(*level, level->buckets.size() * 4);
 }
 
 void DiskGrid::sort_anew(Level& level, std::size_t buckets) {
@@ -147,17 +151,32 @@ void DiskGrid::visit(const Vec2& position, double radius, Found found) const {
         around_x == 0 ? cell_x + reach : std::min(cell_x + reach, cell_x - reach + around_x - 1);
     const std::int64_t last_y =
         around_y == 0 ? cell_y + reach : std::min(cell_y + reach, cell_y - reach + around_y - 1);
-    for (std::int64_t y = cell_y - reach; y <= last_y; ++y) {
-      const std::int64_t at_y = around_y == 0 ? y : wrapped(y, around_y);
-      for (std::int64_t x = cell_x - reach; x <= last_x; ++x) {
-        const Cell at{around_x == 0 ? x : wrapped(x, around_x), at_y};
-        for (std::uint32_t i = level.buckets[bucket(level, at)]; i != kNone; i = disks_[i].next) {
-          // Other cells may share the bucket.  (Compared one by one: == of arrays is a call.)
-          const bool here = disks_[i].cell[0] == at[0] && disks_[i].cell[1] == at[1];
-          if (here && overlaps(i) && found(i)) return;
+    const auto for_each_cell = [&](const auto& look) {
+      for (std::int64_t y = cell_y - reach; y <= last_y; ++y) {
+        const std::int64_t at_y = around_y == 0 ? y : wrapped(y, around_y);
+        for (std::int64_t x = cell_x - reach; x <= last_x; ++x) {
+          const Cell at{around_x == 0 ? x : wrapped(x, around_x), at_y};
+          if (look(at, level.buckets[bucket(level, at)])) return true;
         }
       }
+      return false;
+    };
+    // Disks of many are far from each other in memory: all are on their way at once.
+    if (disks_.size() > kMany) {
+      for_each_cell([&](const Cell&, std::uint32_t first) {
+        if (first != kNone) __builtin_prefetch(&disks_[first]);
+        return false;
+      });
     }
+    const bool done = for_each_cell([&](const Cell& at, std::uint32_t first) {
+      for (std::uint32_t i = first; i != kNone; i = disks_[i].next) {
+        // Other cells may share the bucket.  (Compared one by one: == of arrays is a call.)
+        const bool here = disks_[i].cell[0] == at[0] && disks_[i].cell[1] == at[1];
+        if (here && overlaps(i) && found(i)) return true;
+      }
+      return false;
+    });
+    if (done) return;
   }
 }
 

@@ -1,125 +1,180 @@
-#include <cmath>
-#include <nlohmann/json.hpp>
-
 #include "carom/accuracy.hpp"
+
 #include "carom/report.hpp"
+#include "json/writer.hpp"
 
 namespace carom {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Writer;
 
-Json or_null(const std::optional<double>& number) {
-  return number ? Json(*number) : Json(nullptr);
-}
+constexpr auto kLines = Writer::Layout::lines;
 
-/// The members of a run that should come to rest; null in all others.
-void set_rest(Json& json, const AccuracyRow& row) {
-  const auto set = [&](const char* name, const std::optional<MedianAndSpread>& value) {
-    json[name] = value ? Json(value->median) : Json(nullptr);
-    json[std::string(name) + "_spread"] = value ? Json(value->spread) : Json(nullptr);
-  };
-  const AccuracyRest& rest = *row.rest;
-  set("equilibrium_residual", rest.equilibrium_residual);
-  set("creep", rest.creep);
-  set("kinetic_energy", rest.kinetic_energy);
-  set("rest_time", rest.rest_time);
-  set("dissipation_error", rest.dissipation_error);
-  set("height", rest.height);
-}
-
-Json to_tree(const std::optional<MeanAndError>& mean) {
-  if (!mean) return nullptr;
-  return {{"mean", mean->mean}, {"standard_error", or_null(mean->standard_error)}};
-}
-
-/// The averages of a row beside those of the reference.
-Json averages_of(const AccuracyStudy& study, const AccuracyRow& row) {
-  Json json = Json::object();
-  for (std::size_t i = 0; i < study.observables.size(); ++i) {
-    Json& each = json[observable_name(study.observables[i])];
-    each = i < row.averages.size() ? to_tree(row.averages[i]) : Json(nullptr);
-    if (each.is_null()) continue;
-    const auto& reference = study.averages[i];
-    each["difference"] = reference ? Json(row.averages[i]->mean - reference->mean) : Json(nullptr);
+void put_observable(Writer& writer, const std::optional<MeanAndError>& mean,
+                    const std::optional<MeanAndError>* reference) {
+  if (!mean) {
+    writer.null();
+    return;
   }
-  return json;
+  writer.begin_object().put("mean", mean->mean).put("standard_error", mean->standard_error);
+  if (reference != nullptr) {
+    writer.key("difference");
+    if (*reference) {
+      writer.value(mean->mean - (*reference)->mean);
+    } else {
+      writer.null();
+    }
+  }
+  writer.end_object();
 }
 
-Json to_tree(const AccuracyStudy& study, const AccuracyRow& row) {
-  Json json;
-  json["method"] = method_name(row.method);
-  json["step"] = or_null(row.step);
-  json["digits"] = row.digits;
-  json["workers"] = row.workers;
-  json["per_ball"] = row.per_ball;
-  const bool failed = !row.failure.empty();
-  const auto set = [&](const char* name, const auto& value) {
-    json[name] = failed ? Json(nullptr) : Json(value);
-  };
-  set("seconds", row.seconds);
-  set("seconds_fastest", row.fastest);
-  set("seconds_slowest", row.slowest);
-  set("seconds_quartiles", row.quartiles);
-  set("cpu_seconds", row.cpu_seconds);
-  set("repeats", row.repeats);
-  set("seconds_per_simulated_second", study.seconds_per_simulated_second(row));
-  set("position_error", or_null(row.position_error));
-  set("energy_error", or_null(row.energy_error));
-  set("max_overlap", row.max_overlap);
-  set("ball_ball", row.ball_ball);
-  set("ball_wall", row.ball_wall);
-  set("horizon", or_null(row.horizon));
-  set("horizon_resolution", row.horizon ? Json(row.horizon_resolution) : Json(nullptr));
-  if (row.rest) set_rest(json, row);
-  if (!study.observables.empty()) json["observables"] = averages_of(study, row);
-  if (failed) json["failed"] = row.failure;
-  return json;
-}
+class StudyWriter {
+ public:
+  StudyWriter(const AccuracyStudy& study, const TextSink& sink) : study_(study), writer_(sink) {}
+
+  void write() {
+    writer_.begin_object(kLines)
+        .put("version", version())
+        .put("scene", study_.scene)
+        .put("time", study_.time)
+        .put("balls", study_.balls)
+        .put("smallest_radius", study_.smallest_radius)
+        .put("seed", study_.seed);
+    writer_.key("machine")
+        .begin_object()
+        .put("processor", study_.machine.processor)
+        .put("cores", study_.machine.cores)
+        .put("system", study_.machine.system)
+        .end_object();
+    writer_.put("compiler", study_.machine.compiler).put("starts", study_.starts);
+    put_reference();
+    writer_.key("rows").begin_list(kLines);
+    for (const AccuracyRow& row : study_.rows) put_row(row);
+    writer_.end_list();
+    writer_.key("ladder_end");
+    if (study_.ladder_end.empty()) {
+      writer_.null();
+    } else {
+      writer_.value(study_.ladder_end);
+    }
+    writer_.put("target", study_.target).key("recommended");
+    if (study_.recommended) {
+      put_row(study_.rows[*study_.recommended]);
+    } else {
+      writer_.null();
+    }
+    writer_.end_object().finish();
+  }
+
+ private:
+  void put_reference() {
+    const AccuracyReference& reference = study_.reference;
+    writer_.key("reference").begin_object(kLines).key("method");
+    if (reference.absent.empty()) {
+      writer_.value(reference.equilibrium ? "equilibrium" : method_name(reference.method));
+      writer_.put("digits", reference.digits)
+          .put("step", reference.step)
+          .put("checked_digits", reference.checked_digits)
+          .put("checked_step", reference.checked_step)
+          .put("difference", reference.difference)
+          .put("holds_until", reference.holds_until)
+          .put("seconds", reference.seconds)
+          .put("ball_ball", reference.ball_ball)
+          .put("ball_wall", reference.ball_wall);
+    } else {
+      writer_.null().put("absent", reference.absent);
+    }
+    if (!study_.observables.empty()) {
+      writer_.key("observables").begin_object(kLines);
+      for (std::size_t i = 0; i < study_.averages.size(); ++i) {
+        writer_.key(observable_name(study_.observables[i]));
+        put_observable(writer_, study_.averages[i], nullptr);
+      }
+      writer_.end_object().put("observables_digits", study_.average_digits);
+    }
+    writer_.end_object();
+  }
+
+  void put_row(const AccuracyRow& row) {
+    writer_.begin_object(kLines)
+        .put("method", method_name(row.method))
+        .put("step", row.step)
+        .put("digits", row.digits)
+        .put("workers", row.workers)
+        .put("per_ball", row.per_ball);
+    const bool failed = !row.failure.empty();
+    const auto put = [&](const char* name, const auto& value) {
+      writer_.key(name);
+      if (failed) {
+        writer_.null();
+      } else {
+        writer_.value(value);
+      }
+    };
+    put("seconds", row.seconds);
+    put("seconds_fastest", row.fastest);
+    put("seconds_slowest", row.slowest);
+    writer_.key("seconds_quartiles");
+    if (failed) {
+      writer_.null();
+    } else {
+      writer_.begin_list().value(row.quartiles[0]).value(row.quartiles[1]).end_list();
+    }
+    put("cpu_seconds", row.cpu_seconds);
+    put("repeats", row.repeats);
+    put("seconds_per_simulated_second", study_.seconds_per_simulated_second(row));
+    put("position_error", row.position_error);
+    put("energy_error", row.energy_error);
+    put("max_overlap", row.max_overlap);
+    put("ball_ball", row.ball_ball);
+    put("ball_wall", row.ball_wall);
+    put("horizon", row.horizon);
+    put("horizon_resolution",
+        row.horizon ? std::optional<double>(row.horizon_resolution) : std::nullopt);
+    if (row.rest) put_rest(*row.rest);
+    if (!study_.observables.empty()) put_averages(row);
+    if (failed) writer_.put("failed", row.failure);
+    writer_.end_object();
+  }
+
+  /// The members of a run that should come to rest; null in all others.
+  void put_rest(const AccuracyRest& rest) {
+    const auto put = [&](const std::string& name, const std::optional<MedianAndSpread>& value) {
+      writer_.put(name, value ? std::optional<double>(value->median) : std::nullopt);
+      writer_.put(name + "_spread", value ? std::optional<double>(value->spread) : std::nullopt);
+    };
+    put("equilibrium_residual", rest.equilibrium_residual);
+    put("creep", rest.creep);
+    put("kinetic_energy", rest.kinetic_energy);
+    put("rest_time", rest.rest_time);
+    put("dissipation_error", rest.dissipation_error);
+    put("height", rest.height);
+  }
+
+  /// The averages of a row beside those of the reference.
+  void put_averages(const AccuracyRow& row) {
+    writer_.key("observables").begin_object(kLines);
+    for (std::size_t i = 0; i < study_.observables.size(); ++i) {
+      writer_.key(observable_name(study_.observables[i]));
+      if (i < row.averages.size()) {
+        put_observable(writer_, row.averages[i], &study_.averages[i]);
+      } else {
+        writer_.null();
+      }
+    }
+    writer_.end_object();
+  }
+
+  const AccuracyStudy& study_;
+  Writer writer_;
+};
 
 }  // namespace
 
 std::string to_json(const AccuracyStudy& study) {
-  const AccuracyReference& reference = study.reference;
-  Json json;
-  json["version"] = version();
-  json["scene"] = study.scene;
-  json["time"] = study.time;
-  json["balls"] = study.balls;
-  json["smallest_radius"] = study.smallest_radius;
-  json["seed"] = study.seed;
-  json["machine"] = {{"processor", study.machine.processor},
-                     {"cores", study.machine.cores},
-                     {"system", study.machine.system}};
-  json["compiler"] = study.machine.compiler;
-  json["starts"] = study.starts;
-  json["reference"] = {
-      {"method", reference.equilibrium ? "equilibrium" : method_name(reference.method)},
-      {"digits", reference.digits},
-      {"step", or_null(reference.step)},
-      {"checked_digits", reference.checked_digits},
-      {"checked_step", or_null(reference.checked_step)},
-      {"difference", reference.difference},
-      {"holds_until", or_null(reference.holds_until)},
-      {"seconds", reference.seconds},
-      {"ball_ball", reference.ball_ball},
-      {"ball_wall", reference.ball_wall}};
-  if (!reference.absent.empty())
-    json["reference"] = {{"method", nullptr}, {"absent", reference.absent}};
-  if (!study.observables.empty()) {
-    Json& means = json["reference"]["observables"];
-    for (std::size_t i = 0; i < study.averages.size(); ++i) {
-      means[observable_name(study.observables[i])] = to_tree(study.averages[i]);
-    }
-    json["reference"]["observables_digits"] = study.average_digits;
-  }
-  json["rows"] = Json::array();
-  for (const AccuracyRow& row : study.rows) json["rows"].push_back(to_tree(study, row));
-  json["ladder_end"] = study.ladder_end.empty() ? Json(nullptr) : Json(study.ladder_end);
-  json["target"] = or_null(study.target);
-  json["recommended"] =
-      study.recommended ? to_tree(study, study.rows[*study.recommended]) : Json(nullptr);
-  return json.dump(2) + '\n';
+  std::string text;
+  StudyWriter(study, [&](std::string_view part) { text += part; }).write();
+  return text;
 }
 
 }  // namespace carom

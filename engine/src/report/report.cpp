@@ -1,39 +1,42 @@
 #include "carom/report.hpp"
 
-#include <nlohmann/json.hpp>
+#include "json/writer.hpp"
 
 namespace carom {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Writer;
 
-Json pair(const Vec2& vector) {
-  return Json::array({vector.x(), vector.y()});
+void put_pair(Writer& writer, std::string_view name, const Vec2& pair) {
+  writer.key(name).begin_list().value(pair.x()).value(pair.y()).end_list();
 }
 
-Json seconds_by_name(const Seconds& seconds) {
-  Json json = Json::object();
-  for (const auto& [name, spent] : seconds) json[name] = spent;
-  return json;
+void put_seconds(Writer& writer, const Seconds& seconds) {
+  writer.key("phases").begin_object();
+  for (const auto& [name, spent] : seconds) writer.put(name, spent);
+  writer.end_object();
 }
 
-Json costs_by_name(const Seconds& seconds) {
-  Json json = Json::object();
-  for (const auto& [name, spent] : seconds) json[name] = {{"seconds", spent}};
-  return json;
-}
-
-Json state_of(const Report& report) {
-  Json json = Json::array();
-  for (const Ball& ball : report.state) {
-    Json entry = {{"position", pair(ball.position)},
-                  {"velocity", pair(ball.velocity)},
-                  {"radius", ball.radius},
-                  {"mass", ball.mass}};
-    if (report.spin) entry["spin"] = ball.spin;
-    json.push_back(std::move(entry));
+void put_costs(Writer& writer, const Seconds& seconds) {
+  writer.key("effects").begin_object();
+  for (const auto& [name, spent] : seconds) {
+    writer.key(name).begin_object().put("seconds", spent).end_object();
   }
-  return json;
+  writer.end_object();
+}
+
+/// One ball on a line.
+void put_state(Writer& writer, const Simulation& simulation, bool spin) {
+  writer.key("state").begin_list(Writer::Layout::lines);
+  simulation.visit_state([&](const Ball& ball) {
+    writer.begin_object();
+    put_pair(writer, "position", ball.position);
+    put_pair(writer, "velocity", ball.velocity);
+    writer.put("radius", ball.radius).put("mass", ball.mass);
+    if (spin) writer.put("spin", ball.spin);
+    writer.end_object();
+  });
+  writer.end_list();
 }
 
 }  // namespace
@@ -60,43 +63,53 @@ Report make_report(const Session& session) {
   report.spin = session.scene().effects.friction.has_value();
   report.measurements = simulation.measure();
   report.state_hash = simulation.state_hash();
-  report.state = simulation.state();
+  report.balls = simulation.balls();
   return report;
 }
 
-std::string to_json(const Report& report, bool with_state) {
+void write_report(const Report& report, const Simulation* with_state, const TextSink& sink) {
   const Measurements& measured = report.measurements;
-  Json json;
-  json["version"] = version();
-  json["scene"] = report.scene;
-  json["time"] = report.time;
-  json["frames"] = report.frames;
-  json["ended"] = report.ended;
-  json["balls"] = report.state.size();
-  json["method"] = method_name(report.method);
-  json["step"] = report.step;
-  json["digits"] = report.digits;
-  json["workers"] = report.workers;
-  json["seed"] = report.seed;
-  json["events"] = {{"ball_ball", measured.ball_ball}, {"ball_wall", measured.ball_wall}};
-  json["joint_impacts"] = measured.joint_impacts;
-  json["resting_contacts"] = measured.resting_contacts;
-  json["energy"] = {{"initial", measured.energy_initial},
-                    {"input", measured.energy_input},
-                    {"dissipated", measured.energy_dissipated},
-                    {"final", measured.energy_final},
-                    {"relative_error", measured.relative_energy_error()}};
-  json["momentum"] = {{"initial", pair(measured.momentum_initial)},
-                      {"final", pair(measured.momentum_final)}};
-  json["islands_again"] = measured.islands_again;
-  json["max_overlap"] = measured.max_overlap;
-  json["missed_hits"] = measured.missed_hits;
-  json["wall_seconds"] = report.wall_seconds;
-  json["phases"] = seconds_by_name(measured.phases);
-  json["effects"] = costs_by_name(measured.effects);
-  json["state_hash"] = report.state_hash;
-  if (with_state) json["state"] = state_of(report);
-  return json.dump(2) + '\n';
+  Writer writer(sink);
+  writer.begin_object(Writer::Layout::lines)
+      .put("version", version())
+      .put("scene", report.scene)
+      .put("time", report.time)
+      .put("frames", report.frames)
+      .put("ended", report.ended)
+      .put("balls", report.balls)
+      .put("method", method_name(report.method))
+      .put("step", report.step)
+      .put("digits", report.digits)
+      .put("workers", report.workers)
+      .put("seed", report.seed);
+  writer.key("events")
+      .begin_object()
+      .put("ball_ball", measured.ball_ball)
+      .put("ball_wall", measured.ball_wall)
+      .end_object();
+  writer.put("joint_impacts", measured.joint_impacts)
+      .put("resting_contacts", measured.resting_contacts);
+  writer.key("energy")
+      .begin_object()
+      .put("initial", measured.energy_initial)
+      .put("input", measured.energy_input)
+      .put("dissipated", measured.energy_dissipated)
+      .put("final", measured.energy_final)
+      .put("relative_error", measured.relative_energy_error())
+      .end_object();
+  writer.key("momentum").begin_object();
+  put_pair(writer, "initial", measured.momentum_initial);
+  put_pair(writer, "final", measured.momentum_final);
+  writer.end_object();
+  writer.put("islands_again", measured.islands_again)
+      .put("max_overlap", measured.max_overlap)
+      .put("missed_hits", measured.missed_hits)
+      .put("wall_seconds", report.wall_seconds);
+  put_seconds(writer, measured.phases);
+  put_costs(writer, measured.effects);
+  writer.put("state_hash", report.state_hash);
+  if (with_state != nullptr) put_state(writer, *with_state, report.spin);
+  writer.end_object().finish();
 }
 
 }  // namespace carom

@@ -1,36 +1,60 @@
+#include "carom/verify.hpp"
+
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "carom/report.hpp"
-#include "carom/verify.hpp"
+#include "json/writer.hpp"
 
 namespace carom {
 
-std::string to_json(const std::vector<CaseResult>& results) {
-  using Json = nlohmann::ordered_json;
-  Json cases = Json::array();
-  Json not_for = Json::array();
-  std::size_t passed = 0;
+namespace {
+
+using json::Writer;
+
+bool runs(const CaseResult& result) {
+  return result.not_for.empty();
+}
+
+void put_case(Writer& writer, const CaseResult& result) {
+  writer.begin_object()
+      .put("name", result.name)
+      .put("method", method_name(result.method))
+      .put("measure", result.measure)
+      .put("value", result.value)
+      .put("limit", result.limit)
+      .put("passed", result.passed)
+      .put("seconds", result.seconds);
+  if (!result.failure.empty()) writer.put("failure", result.failure);
+  if (!runs(result)) writer.put("not_for", result.not_for);
+  writer.end_object();
+}
+
+/// A case on a line.
+void put_cases(Writer& writer, std::string_view name, const std::vector<CaseResult>& results,
+               bool that_run) {
+  writer.key(name).begin_list(Writer::Layout::lines);
   for (const CaseResult& result : results) {
-    Json entry = {{"name", result.name},       {"method", method_name(result.method)},
-                  {"measure", result.measure}, {"value", nullptr},
-                  {"limit", result.limit},     {"passed", result.passed},
-                  {"seconds", result.seconds}};
-    if (std::isfinite(result.value)) entry["value"] = result.value;
-    if (!result.failure.empty()) entry["failure"] = result.failure;
-    if (!result.not_for.empty()) {
-      entry["not_for"] = result.not_for;
-      not_for.push_back(std::move(entry));
-      continue;
-    }
-    if (result.passed) ++passed;
-    cases.push_back(std::move(entry));
+    if (runs(result) == that_run) put_case(writer, result);
   }
-  const std::size_t failed = cases.size() - passed;
-  Json json = {{"cases", std::move(cases)}, {"passed", passed}, {"failed", failed}};
-  if (!not_for.empty()) json["not_for"] = std::move(not_for);
-  return json.dump(2) + '\n';
+  writer.end_list();
+}
+
+}  // namespace
+
+std::string to_json(const std::vector<CaseResult>& results) {
+  const auto run = std::count_if(results.begin(), results.end(), runs);
+  const auto passed = std::count_if(results.begin(), results.end(), [](const CaseResult& result) {
+    return runs(result) && result.passed;
+  });
+  std::string text;
+  Writer writer([&](std::string_view part) { text += part; });
+  writer.begin_object(Writer::Layout::lines);
+  put_cases(writer, "cases", results, true);
+  writer.put("passed", passed).put("failed", run - passed);
+  if (run < std::ssize(results)) put_cases(writer, "not_for", results, false);
+  writer.end_object().finish();
+  return text;
 }
 
 }  // namespace carom

@@ -22,6 +22,7 @@ bool flies_in_closed_form(const Scene& scene) {
 // Round a shorter one two balls could touch on both sides at once.
 bool short_periodic_axis(const Scene& scene) {
   if (!scene.effects.collisions) return false;
+  if (!scene.box.periodic[0] && !scene.box.periodic[1]) return false;
   const double least = 4 * largest_radius(scene);
   return (scene.box.periodic[0] && !(scene.box.width > least)) ||
          (scene.box.periodic[1] && !(scene.box.height > least));

@@ -11,7 +11,7 @@
 
 namespace carom::scene {
 
-bool Verdict::finite(const std::string& place, double value) {
+bool Verdict::finite(const Place& place, double value) {
   if (!std::isfinite(value)) {
     add(place, fmt::format("must be a finite number, got {}", value));
   } else if (std::abs(value) > kLargest) {
@@ -23,12 +23,12 @@ bool Verdict::finite(const std::string& place, double value) {
   return false;
 }
 
-bool Verdict::finite(const std::string& place, const Vec2& value) {
-  const bool x = finite(place + "/0", value.x());
-  return finite(place + "/1", value.y()) && x;
+bool Verdict::finite(const Place& place, const Vec2& value) {
+  const bool x = finite(place / "0", value.x());
+  return finite(place / "1", value.y()) && x;
 }
 
-bool Verdict::positive(const std::string& place, double value) {
+bool Verdict::positive(const Place& place, double value) {
   if (std::isfinite(value) && value <= 0) {
     add(place, fmt::format("must be greater than 0, got {}", value));
     return false;
@@ -41,7 +41,7 @@ bool Verdict::positive(const std::string& place, double value) {
   return finite(place, value);
 }
 
-bool Verdict::not_negative(const std::string& place, double value) {
+bool Verdict::not_negative(const Place& place, double value) {
   if (std::isfinite(value) && value < 0) {
     add(place, fmt::format("must be 0 or greater, got {}", value));
     return false;
@@ -49,11 +49,34 @@ bool Verdict::not_negative(const std::string& place, double value) {
   return finite(place, value);
 }
 
-bool Verdict::fraction(const std::string& place, double value) {
+bool Verdict::fraction(const Place& place, double value) {
   if (value >= 0 && value <= 1) return true;
   if (!std::isfinite(value)) return finite(place, value);
   add(place, fmt::format("must be from 0 to 1, got {}", value));
   return false;
+}
+
+bool Verdict::power_of_two(const Place& place, double value) {
+  int exponent = 0;
+  if (value > 0 && std::frexp(value, &exponent) == 0.5) return true;
+  add(place, fmt::format("must be a power of two, got {:g}", value));
+  return false;
+}
+
+bool Verdict::within(Limit limit, const Place& place, double value) {
+  switch (limit) {
+    case Limit::positive:
+      return positive(place, value);
+    case Limit::not_negative:
+      return not_negative(place, value);
+    case Limit::fraction:
+      return fraction(place, value);
+    case Limit::power_of_two:
+      return power_of_two(place, value);
+    case Limit::none:
+      break;
+  }
+  return finite(place, value);
 }
 
 bool has_box(const Scene& scene) {
@@ -61,36 +84,16 @@ bool has_box(const Scene& scene) {
   return good(scene.box.width) && good(scene.box.height);
 }
 
-namespace {
-
-bool judge_effect(const Walls& walls, const std::string& place, Verdict& verdict) {
-  return verdict.fraction(place + "/restitution", walls.restitution);
-}
-bool judge_effect(const Collisions& collisions, const std::string& place, Verdict& verdict) {
-  return verdict.fraction(place + "/restitution", collisions.restitution);
-}
-bool judge_effect(const Gravity& gravity, const std::string& place, Verdict& verdict) {
-  return verdict.finite(place, gravity.acceleration);
-}
-bool judge_effect(const Drag& drag, const std::string& place, Verdict& verdict) {
-  return verdict.not_negative(place + "/rate", drag.rate);
-}
-bool judge_effect(const Friction& friction, const std::string& place, Verdict& verdict) {
-  const bool balls = verdict.not_negative(place + "/balls", friction.balls);
-  return verdict.not_negative(place + "/walls", friction.walls) && balls;
-}
-bool judge_effect(const Attraction& attraction, const std::string& place, Verdict& verdict) {
-  const bool strength = verdict.finite(place + "/strength", attraction.strength);
-  return verdict.not_negative(place + "/softening", attraction.softening) && strength;
-}
-
-}  // namespace
-
-bool judge_effects(const Effects& effects, const std::string& place, Verdict& verdict) {
+bool judge_effects(const Effects& effects, const Place& place, Verdict& verdict) {
   bool good = true;
   for_each_effect([&](const auto& entry) {
     const auto& effect = effects.*entry.slot;
-    if (effect) good &= judge_effect(*effect, fmt::format("{}/{}", place, entry.name), verdict);
+    if (!effect) return;
+    if constexpr (HasTable<std::decay_t<decltype(*effect)>>) {
+      good &= verdict.numbers(place / entry.name, *effect);
+    } else {
+      good &= verdict.finite(place / entry.name, effect->acceleration);
+    }
   });
   return good;
 }
@@ -98,7 +101,7 @@ bool judge_effects(const Effects& effects, const std::string& place, Verdict& ve
 namespace {
 
 void judge_solver(const SolverChoice& solver, Verdict& verdict) {
-  verdict.positive("/solver/step", solver.step);
+  verdict.numbers("/solver", solver);
   const int digits = solver.digits;
   if (digits != 16 && digits != 34 && digits != 50 && digits != 100) {
     verdict.add("/solver/digits", fmt::format("must be 16, 34, 50 or 100, got {}", digits));
@@ -135,7 +138,7 @@ class PaceJudge {
     const double crossings = seconds_ * speed / side_;
     if (told_ || !(speed <= kLargest) || !(crossings > kMostCrossings)) return;
     told_ = true;
-    verdict_.add(fmt::format("{}{}/{}", place, number, key),
+    verdict_.add(std::string_view(fmt::format("{}{}/{}", place, number, key)),
                  fmt::format("makes a ball cross the box {:.3g} times in {:g} s, of which method "
                              "\"event\" follows {:g} at most: use a lower one, a shorter "
                              "duration, or \"overlap\"",
@@ -193,12 +196,6 @@ void judge_workers(const Scene& scene, Verdict& verdict) {
 /// Flights belong to the balls of the scene, one by one, and to a clock.
 void judge_flights(const Scene& scene, Verdict& verdict) {
   const Continuation& continuation = *scene.continuation;
-  int exponent = 0;
-  if (continuation.tick &&
-      (!(*continuation.tick > 0) || std::frexp(*continuation.tick, &exponent) != 0.5)) {
-    verdict.add("/continuation/tick",
-                fmt::format("must be a power of two, got {:g}", *continuation.tick));
-  }
   if (continuation.flights.empty()) return;
   if (!continuation.tick) {
     verdict.add("/continuation/tick", "is missing: flights need it");
@@ -212,12 +209,12 @@ void judge_flights(const Scene& scene, Verdict& verdict) {
   for (std::size_t i = 0; i < balls; ++i) {
     const auto& left = continuation.flights[i].left;
     if (left && (*left >= balls || !scene.balls[*left].fixed)) {
-      verdict.add(fmt::format("/continuation/flights/{}/left", i),
+      verdict.add(Place("/continuation/flights") / i / "left",
                   fmt::format("must be the number of a fixed ball, got {}", *left));
     }
     if (continuation.flights[i].carried > 6) {
       verdict.add(
-          fmt::format("/continuation/flights/{}/carried", i),
+          Place("/continuation/flights") / i / "carried",
           fmt::format("must be 0, 1 for x, 2 for y, 3 for both, 4, 5 or 6 in a crowd, got {}",
                       continuation.flights[i].carried));
     }
@@ -227,11 +224,7 @@ void judge_flights(const Scene& scene, Verdict& verdict) {
 void judge_continuation(const Scene& scene, Verdict& verdict) {
   if (!scene.continuation) return;
   const Continuation& continuation = *scene.continuation;
-  verdict.not_negative("/continuation/time", continuation.time);
-  verdict.not_negative("/continuation/clock", continuation.clock);
-  verdict.not_negative("/continuation/clock_origin", continuation.clock_origin.value_or(0));
-  verdict.not_negative("/continuation/time_origin", continuation.time_origin.value_or(0));
-  verdict.not_negative("/continuation/step_origin", continuation.step_origin);
+  verdict.numbers("/continuation", continuation);
   if (static_cast<double>(continuation.steps) > kMostSteps) {
     verdict.add("/continuation/steps",
                 fmt::format("must be at most {:g}, got {}", kMostSteps, continuation.steps));
@@ -244,15 +237,15 @@ void judge_continuation(const Scene& scene, Verdict& verdict) {
 
 }  // namespace
 
-std::vector<Problem> judge(const Scene& scene, const std::vector<std::size_t>& script_lines) {
+std::vector<Problem> judge(const Scene& scene, const std::vector<std::size_t>& script_lines,
+                           Known known) {
   Verdict verdict;
-  verdict.positive("/box/width", scene.box.width);
-  verdict.positive("/box/height", scene.box.height);
+  verdict.numbers("/box", scene.box);
   judge_effects(scene.effects, "/effects", verdict);
   for (Problem& problem : find_unavailable(scene, choose_method(scene).method)) {
-    verdict.add(std::move(problem.place), std::move(problem.message));
+    verdict.add(std::string_view(problem.place), std::move(problem.message));
   }
-  judge_balls(scene, verdict);
+  if (known != Known::balls) judge_balls(scene, verdict);
   judge_solver(scene.solver, verdict);
   judge_workers(scene, verdict);
   judge_clock(scene, verdict);

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "fill/disk_grid.hpp"
+#include "fill/overlap_search.hpp"
 #include "scene/judge.hpp"
 #include "scene/limits.hpp"
 
@@ -22,8 +23,7 @@ double with_allowance(double length, double largest) {
   return length + 0x1p-50 * largest;
 }
 
-bool judge_inside(const Ball& ball, const std::string& place, const Scene& scene,
-                  Verdict& verdict) {
+bool judge_inside(const Ball& ball, const Place& place, const Scene& scene, Verdict& verdict) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (!has_walls(scene.effects) || scene.box.periodic[static_cast<std::size_t>(axis)]) continue;
     const double lower = scene.box.lower()[axis];
@@ -31,7 +31,7 @@ bool judge_inside(const Ball& ball, const std::string& place, const Scene& scene
     const double x = ball.position[axis];
     const double largest = std::max({std::abs(x), ball.radius, upper - lower});
     if (x >= lower && x <= upper && 2 * ball.radius > with_allowance(upper - lower, largest)) {
-      verdict.add(place + "/radius",
+      verdict.add(place / "radius",
                   fmt::format("must be at most {:g} to fit between the walls in {}, got {}",
                               (upper - lower) / 2, kAxisNames[axis], ball.radius));
       return false;
@@ -39,7 +39,7 @@ bool judge_inside(const Ball& ball, const std::string& place, const Scene& scene
     if (with_allowance(x - lower, largest) < ball.radius ||
         with_allowance(upper - x, largest) < ball.radius) {
       verdict.add(
-          fmt::format("{}/position/{}", place, axis),
+          place / "position" / axis,
           fmt::format("must keep the ball inside the walls, {} from {:g} to {:g} for its "
                       "radius of {:g}, got {}",
                       kAxisNames[axis], lower + ball.radius, upper - ball.radius, ball.radius, x));
@@ -50,8 +50,8 @@ bool judge_inside(const Ball& ball, const std::string& place, const Scene& scene
 }
 
 /// Around a periodic axis two balls may meet through one side at a time only.
-bool judge_periodic(double radius, double largest_radius, const std::string& place,
-                    const Scene& scene, Verdict& verdict) {
+bool judge_periodic(double radius, double largest_radius, const Place& place, const Scene& scene,
+                    Verdict& verdict) {
   if (!scene.effects.collisions) return true;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (!scene.box.periodic[static_cast<std::size_t>(axis)]) continue;
@@ -67,7 +67,7 @@ bool judge_periodic(double radius, double largest_radius, const std::string& pla
   return true;
 }
 
-bool judge_radius(double radius, const std::string& place, const Scene& scene, Verdict& verdict) {
+bool judge_radius(double radius, const Place& place, const Scene& scene, Verdict& verdict) {
   const double side = std::max(scene.box.width, scene.box.height);
   if (side <= kBoxToRadius * radius) return true;
   verdict.add(place, fmt::format("must be at least {:g}, the larger side of the box / {:g}, got {}",
@@ -109,6 +109,7 @@ class Overlaps {
 };
 
 void judge_overlaps(const Scene& scene, const std::vector<std::size_t>& good, Verdict& verdict) {
+  if (good.size() == scene.balls.size() && !may_overlap(scene.box, scene.balls)) return;
   // Large balls first, so that each looks at few of its own size and larger.
   std::vector<std::size_t> order = good;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -132,7 +133,7 @@ void judge_overlaps(const Scene& scene, const std::vector<std::size_t>& good, Ve
     const Ball& a = scene.balls[first];
     const Ball& b = scene.balls[second];
     verdict.add(
-        fmt::format("/balls/{}", second),
+        Place("/balls") / second,
         fmt::format("overlaps /balls/{} by {:.3g}, move them apart or make them smaller", first,
                     overlap_depth(scene.box, a.position, a.radius, b.position, b.radius)));
   }
@@ -143,40 +144,34 @@ void judge_overlaps(const Scene& scene, const std::vector<std::size_t>& good, Ve
 
 }  // namespace
 
-bool judge_ball(const Ball& ball, const std::string& place, const Scene& scene, Verdict& verdict) {
-  bool good = verdict.finite(place + "/position", ball.position);
-  good &= verdict.finite(place + "/velocity", ball.velocity);
-  good &= verdict.positive(place + "/radius", ball.radius);
-  good &= verdict.positive(place + "/mass", ball.mass);
-  good &= verdict.finite(place + "/spin", ball.spin);
+bool judge_ball(const Ball& ball, const Place& place, const Scene& scene, Verdict& verdict) {
+  const bool good = verdict.numbers(place, ball);
   if (ball.fixed && good && (ball.velocity != Vec2{0, 0} || ball.spin != 0)) {
     const bool moves = ball.velocity != Vec2{0, 0};
-    verdict.add(place + (moves ? "/velocity" : "/spin"),
+    verdict.add(place / (moves ? "velocity" : "spin"),
                 "must be 0 for a fixed ball, which never moves");
     return false;
   }
   if (!good || !has_box(scene)) return good;
-  return judge_radius(ball.radius, place + "/radius", scene, verdict) &&
+  return judge_radius(ball.radius, place / "radius", scene, verdict) &&
          judge_inside(ball, place, scene, verdict);
 }
 
-void judge_fill(const Fill& fill, const std::string& place, const Scene& scene, Verdict& verdict) {
-  bool good = verdict.positive(place + "/radius", fill.radius);
-  good &= verdict.positive(place + "/mass", fill.mass);
-  good &= verdict.not_negative(place + "/temperature", fill.temperature);
+void judge_fill(const Fill& fill, const Place& place, const Scene& scene, Verdict& verdict) {
+  bool good = verdict.numbers(place, fill);
   if (fill.region) {
-    good &= verdict.finite(place + "/region/0", (*fill.region)[0]);
-    good &= verdict.finite(place + "/region/1", (*fill.region)[1]);
+    good &= verdict.finite(place / "region" / "0", (*fill.region)[0]);
+    good &= verdict.finite(place / "region" / "1", (*fill.region)[1]);
   }
   if (!good || !has_box(scene)) return;
-  if (!judge_radius(fill.radius, place + "/radius", scene, verdict)) return;
+  if (!judge_radius(fill.radius, place / "radius", scene, verdict)) return;
   const Vec2 lower = fill.region ? (*fill.region)[0] : scene.box.lower();
   const Vec2 upper = fill.region ? (*fill.region)[1] : scene.box.upper();
   if (fill.count == 0) return;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const bool periodic = scene.box.periodic[static_cast<std::size_t>(axis)];
     if (!(lower[axis] < upper[axis])) {
-      verdict.add(fmt::format("{}/region/1/{}", place, axis),
+      verdict.add(place / "region" / "1" / axis,
                   fmt::format("must be greater than {:g}, the corners are lower left and upper "
                               "right, got {:g}",
                               lower[axis], upper[axis]));
@@ -185,14 +180,14 @@ void judge_fill(const Fill& fill, const std::string& place, const Scene& scene, 
     if ((periodic || has_walls(scene.effects)) &&
         (lower[axis] < scene.box.lower()[axis] || upper[axis] > scene.box.upper()[axis])) {
       const int corner = lower[axis] < scene.box.lower()[axis] ? 0 : 1;
-      verdict.add(fmt::format("{}/region/{}/{}", place, corner, axis),
+      verdict.add(place / "region" / (corner == 0 ? "0" : "1") / axis,
                   fmt::format("must be inside the box, {} from {:g} to {:g}, got {:g}",
                               kAxisNames[axis], scene.box.lower()[axis], scene.box.upper()[axis],
                               (*fill.region)[static_cast<std::size_t>(corner)][axis]));
       return;
     }
     if (2 * fill.radius > with_allowance(upper[axis] - lower[axis], upper[axis] - lower[axis])) {
-      verdict.add(place + "/radius",
+      verdict.add(place / "radius",
                   fmt::format("must be at most {:g} to fit into the region in {}, got {}",
                               (upper[axis] - lower[axis]) / 2, kAxisNames[axis], fill.radius));
       return;
@@ -202,7 +197,7 @@ void judge_fill(const Fill& fill, const std::string& place, const Scene& scene, 
   const double packing = static_cast<double>(fill.count) * std::numbers::pi * fill.radius *
                          fill.radius / (size.x() * size.y());
   if (packing > std::numbers::pi / (2 * std::numbers::sqrt3) * (1 + 0x1p-40)) {
-    verdict.add(place + "/count",
+    verdict.add(place / "count",
                 fmt::format("does not fit: {} balls of radius {:g} cover {:.0f} % of the region, "
                             "at most 90.7 % can be covered",
                             fill.count, fill.radius, 100 * packing));
@@ -211,9 +206,10 @@ void judge_fill(const Fill& fill, const std::string& place, const Scene& scene, 
 
 void judge_balls(const Scene& scene, Verdict& verdict) {
   std::vector<std::size_t> good;
+  good.reserve(scene.balls.size());
   double largest = 0;
   for (std::size_t i = 0; i < scene.balls.size(); ++i) {
-    if (judge_ball(scene.balls[i], fmt::format("/balls/{}", i), scene, verdict)) {
+    if (judge_ball(scene.balls[i], Place("/balls") / i, scene, verdict)) {
       good.push_back(i);
       largest = std::max(largest, scene.balls[i].radius);
     }
@@ -221,10 +217,10 @@ void judge_balls(const Scene& scene, Verdict& verdict) {
   std::size_t balls = scene.balls.size();
   for (std::size_t i = 0; i < scene.fills.size(); ++i) {
     const Fill& fill = scene.fills[i];
-    judge_fill(fill, fmt::format("/fill/{}", i), scene, verdict);
+    judge_fill(fill, Place("/fill") / i, scene, verdict);
     if (std::isfinite(fill.radius)) largest = std::max(largest, fill.radius);
     if (fill.count > kMostBalls || balls + fill.count > kMostBalls) {
-      verdict.add(fmt::format("/fill/{}/count", i),
+      verdict.add(Place("/fill") / i / "count",
                   fmt::format("makes more balls than the {} a scene may have", kMostBalls));
       break;
     }
@@ -236,8 +232,10 @@ void judge_balls(const Scene& scene, Verdict& verdict) {
     return;
   }
   if (!has_box(scene)) return;
+  const bool any_axis = scene.box.periodic[0] || scene.box.periodic[1];
   for (const std::size_t i : good) {
-    if (!judge_periodic(scene.balls[i].radius, largest, fmt::format("/balls/{}/radius", i), scene,
+    if (!any_axis) break;
+    if (!judge_periodic(scene.balls[i].radius, largest, Place("/balls") / i / "radius", scene,
                         verdict)) {
       return;
     }
@@ -245,7 +243,7 @@ void judge_balls(const Scene& scene, Verdict& verdict) {
   for (std::size_t i = 0; i < scene.fills.size(); ++i) {
     const double radius = scene.fills[i].radius;
     if (radius > 0 &&
-        !judge_periodic(radius, largest, fmt::format("/fill/{}/radius", i), scene, verdict)) {
+        !judge_periodic(radius, largest, Place("/fill") / i / "radius", scene, verdict)) {
       return;
     }
   }

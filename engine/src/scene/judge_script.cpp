@@ -17,19 +17,20 @@ class ScriptJudge {
 
   void judge_line(const ScriptLine& line, const std::string& place) {
     place_ = place;
-    verdict_.not_negative(place + "/at", line.at);
+    verdict_.not_negative(Place(place) / "at", line.at);
     std::visit([this](const auto& command) { judge_command(command); }, line.command);
   }
 
  private:
   void judge_command(const command::Add& add) {
-    const std::string place = place_ + "/ball";
+    const Place all(place_);
+    const Place place = all / "ball";
     if (judge_ball(add.ball, place, scene_, verdict_) && scene_.effects.collisions &&
         has_box(scene_)) {
       for (std::size_t axis = 0; axis < 2; ++axis) {
         const double size = scene_.box.size()[axis];
         if (scene_.box.periodic[static_cast<std::size_t>(axis)] && 4 * add.ball.radius > size) {
-          verdict_.add(place + "/radius",
+          verdict_.add(place / "radius",
                        fmt::format("must be at most {:g}, a quarter of the periodic {}, got {}",
                                    size / 4, axis == 0 ? "width" : "height", add.ball.radius));
           break;
@@ -41,11 +42,11 @@ class ScriptJudge {
 
   void judge_command(const command::Remove& remove) {
     if (balls_ == 0) {
-      verdict_.add(place_, "removes a ball when none is left");
+      verdict_.add(std::string_view(place_), "removes a ball when none is left");
       return;
     }
     if (remove.ball && *remove.ball >= balls_) {
-      verdict_.add(place_ + "/ball",
+      verdict_.add(Place(place_) / "ball",
                    fmt::format("must be the number of a ball, at that time from 0 to {}, got {}",
                                balls_ - 1, *remove.ball));
       return;
@@ -55,24 +56,25 @@ class ScriptJudge {
 
   void judge_command(const command::SetEffects& set) {
     const Effects& named = set.effects;
-    const std::string place = place_ + "/effects";
+    const Place all(place_);
+    const Place place = all / "effects";
     const Effects& known = scene_.effects;
     for_each_effect([&](const auto& entry) {
-      judge_named(fmt::format("{}/{}", place, entry.name), (named.*entry.slot).has_value(),
+      judge_named(place / entry.name, (named.*entry.slot).has_value(),
                   (known.*entry.slot).has_value());
     });
     judge_effects(named, place, verdict_);
   }
 
   void judge_command(const command::SetStep& set) {
-    verdict_.positive(place_ + "/solver/step", set.step);
+    verdict_.positive(Place(place_) / "solver" / "step", set.step);
   }
 
   void judge_command(const command::Pause&) {}
   void judge_command(const command::Resume&) {}
   void judge_command(const command::Quit&) {}
 
-  void judge_named(const std::string& place, bool set, bool known) {
+  void judge_named(const Place& place, bool set, bool known) {
     if (!set || known) return;
     verdict_.add(place, "sets an effect that the scene does not name, name it in /effects");
   }

@@ -10,47 +10,61 @@
 #include <memory>
 #include <system_error>
 
+#include "json/reader.hpp"
+#include "json/text.hpp"
 #include "scene/builtin.hpp"
-#include "scene/from_tree.hpp"
-#include "scene/json_tree.hpp"
 #include "scene/judge.hpp"
+#include "scene/read_scene.hpp"
 #include "scene/set_value.hpp"
-#include "scene/shape.hpp"
-#include "scene/text_check.hpp"
 
 namespace carom {
 
 namespace {
 
 std::string as_line(const std::string& source, const Problem& problem) {
-  std::string line = scene::printable(source);
+  std::string line = json::printable(source);
   if (!line.empty()) line += ": ";
   if (!problem.place.empty()) line += problem.place + ": ";
   return line + problem.message;
 }
 
-/// `outer` is a place that `inner` lies in, or the same.
-bool contains(std::string_view outer, std::string_view inner) {
-  return inner.starts_with(outer) && (inner.size() == outer.size() || inner[outer.size()] == '/');
-}
-
-/// The order in the file of what a pointer points to, or of the last part of it that is there.
-std::size_t ordinal_of(const scene::Value& root, std::string_view pointer) {
-  const scene::Value* value = &root;
-  while (!pointer.empty()) {
-    pointer.remove_prefix(1);
-    const std::size_t end = std::min(pointer.find('/'), pointer.size());
-    const std::string step(pointer.substr(0, end));
-    pointer.remove_prefix(end);
-    const scene::Value* next = value->find(step);
-    if (value->kind == scene::Value::Kind::list) {
-      const std::size_t index = std::strtoul(step.c_str(), nullptr, 10);
-      if (index < value->items().size()) next = &value->items()[index];
-    }
-    if (next == nullptr) break;
-    value = next;
+/// Places that were told to be wrong.
+class Told {
+ public:
+  explicit Told(const std::vector<scene::Finding>& findings) {
+    for (const scene::Finding& finding : findings) places_.push_back(finding.problem.place);
+    std::sort(places_.begin(), places_.end());
   }
-  return value->ordinal;
+
+  /// Something around the place, the place itself or something in it was told.
+  [[nodiscard]] bool meets(const std::string& place) const {
+    for (std::size_t end = 0; end <= place.size(); ++end) {
+      const bool is_step = end == 0 || end == place.size() || place[end] == '/';
+      if (is_step && std::binary_search(places_.begin(), places_.end(), place.substr(0, end))) {
+        return true;
+      }
+    }
+    const auto inside = std::lower_bound(places_.begin(), places_.end(), place + '/');
+    return inside != places_.end() && inside->starts_with(place + '/');
+  }
+
+ private:
+  std::vector<std::string> places_;
+};
+
+/// What the scene means, less what has the wrong shape already, at its place in the text.
+void judge_meaning(std::string_view text, const scene::Draft& draft,
+                   std::vector<scene::Finding>& findings) {
+  std::vector<Problem> problems = scene::judge(draft.scene, draft.script_lines);
+  if (problems.empty()) return;
+  const Told told(findings);
+  std::erase_if(problems, [&](const Problem& problem) { return told.meets(problem.place); });
+  std::vector<std::string_view> places;
+  for (const Problem& problem : problems) places.emplace_back(problem.place);
+  const std::vector<std::size_t> offsets = scene::offsets_of(text, places);
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    findings.push_back({offsets[i], std::move(problems[i])});
+  }
 }
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
@@ -70,6 +84,9 @@ std::string read_text(const std::filesystem::path& path, const std::string& sour
     throw SceneError(source, {{"", fmt::format("cannot be opened: {}", std::strerror(errno))}});
   }
   std::string text;
+  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  constexpr std::uintmax_t kMostAtOnce = std::uintmax_t{1} << 32;
+  if (!ignored && size < kMostAtOnce) text.reserve(size);
   std::vector<char> chunk(std::size_t{1} << 16);
   while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
     text.append(chunk.data(), got);
@@ -99,13 +116,13 @@ Scene read_scene(const std::filesystem::path& file) {
 Scene read_scene(const std::filesystem::path& file, std::span<const SceneChange> changes) {
   const std::string source = file == "-" ? "standard input" : file.string();
   Scene scene = parse_scene(read_text(file, source), source, changes);
-  if (scene.name.empty()) scene.name = scene::printable(file.stem().string());
+  if (scene.name.empty()) scene.name = json::printable(file.stem().string());
   return scene;
 }
 
 Scene parse_scene(std::string_view text, const std::string& source,
                   std::span<const SceneChange> changes) {
-  if (changes.empty() || !scene::parse_tree(text).complete) return parse_scene(text, source);
+  if (changes.empty() || !json::is_well_formed(text)) return parse_scene(text, source);
   std::string changed(text);
   try {
     for (const SceneChange& change : changes) changed = scene::set_value(changed, change);
@@ -116,33 +133,12 @@ Scene parse_scene(std::string_view text, const std::string& source,
 }
 
 Scene parse_scene(std::string_view text, const std::string& source) {
-  scene::Tree tree = scene::parse_tree(text);
-  std::vector<scene::Finding> findings = std::move(tree.findings);
-  scene::Draft draft;
-  if (tree.complete) {
-    for (scene::Finding& finding : scene::find_shape_problems(tree.root)) {
-      findings.push_back(std::move(finding));
-    }
-    const std::size_t shape_findings = findings.size();
-    draft = scene::draft_from_tree(tree.root);
-    if (tree.root.kind == scene::Value::Kind::object) {
-      for (Problem& problem : scene::judge(draft.scene, draft.script_lines)) {
-        // What has the wrong shape is not judged for its meaning as well.
-        const bool told = std::any_of(
-            findings.begin(), findings.begin() + static_cast<std::ptrdiff_t>(shape_findings),
-            [&](const scene::Finding& finding) {
-              return contains(finding.problem.place, problem.place) ||
-                     contains(problem.place, finding.problem.place);
-            });
-        if (told) continue;
-        const std::size_t ordinal = ordinal_of(tree.root, problem.place);
-        findings.push_back({ordinal, std::move(problem)});
-      }
-    }
-  }
+  scene::Draft draft = scene::read_draft(text);
+  std::vector<scene::Finding> findings = std::move(draft.findings);
+  if (draft.complete) judge_meaning(text, draft, findings);
   if (!findings.empty()) {
     std::stable_sort(findings.begin(), findings.end(),
-                     [](const auto& a, const auto& b) { return a.ordinal < b.ordinal; });
+                     [](const auto& a, const auto& b) { return a.offset < b.offset; });
     std::vector<Problem> problems;
     problems.reserve(findings.size());
     for (scene::Finding& finding : findings) problems.push_back(std::move(finding.problem));
@@ -152,8 +148,8 @@ Scene parse_scene(std::string_view text, const std::string& source) {
   return std::move(draft.scene);
 }
 
-std::vector<Problem> find_problems(const Scene& scene) {
-  return scene::judge(scene, {});
+std::vector<Problem> find_problems(const Scene& scene, Known known) {
+  return scene::judge(scene, {}, known);
 }
 
 Scene builtin_scene() {

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "carom/scene_file.hpp"
-#include "scene/json_tree.hpp"
+#include "json/reader.hpp"
+#include "json/text.hpp"
 
 namespace carom::scene {
 
@@ -141,7 +142,7 @@ class Setter {
     cursor_.pass();
     empty_ = cursor_.peek() == '}';
     while (cursor_.peek() == '"') {
-      const std::string name = parse_tree(cursor_.take_text()).root.text();
+      const std::string name = json::meaning_of(cursor_.take_text());
       cursor_.pass();  // the colon
       if (name == key) return true;
       cursor_.skip_value();
@@ -156,7 +157,8 @@ class Setter {
     const auto [stopped, error] = std::from_chars(step.data(), last, index);
     const bool append = step == "-";
     if (!append && (error != std::errc{} || stopped != last || step.empty())) {
-      fail(depth, fmt::format("is a list: after it an index is needed, got {}", in_quotes(step)));
+      fail(depth,
+           fmt::format("is a list: after it an index is needed, got {}", json::in_quotes(step)));
     }
     cursor_.pass();
     empty_ = cursor_.peek() == ']';
@@ -179,7 +181,7 @@ class Setter {
 
   [[noreturn]] void fail(std::size_t depth, const std::string& message) const {
     std::string place;
-    for (std::size_t i = 0; i < depth; ++i) place += '/' + pointer_step(steps_[i]);
+    for (std::size_t i = 0; i < depth; ++i) place += '/' + json::pointer_step(steps_[i]);
     throw SceneError("", {{place, message}});
   }
 
@@ -207,14 +209,14 @@ SceneChange parse_change(std::string_view text) {
   }
   const std::string_view value = text.substr(equals + 1);
   SceneChange change{std::string(text.substr(0, equals)), std::string(value)};
-  const scene::Tree tree = scene::parse_tree(value);
-  if (tree.complete && tree.findings.empty()) return change;
+  const std::string wrong = json::what_is_wrong(value);
+  if (!value.empty() && wrong.empty()) return change;
   constexpr std::string_view kBeginsJson = "{[\"-+.0123456789 ";
   if (value.empty() || kBeginsJson.find(value.front()) != std::string_view::npos) {
-    throw std::invalid_argument("its value " + tree.findings.front().problem.message);
+    throw std::invalid_argument("its value " + (value.empty() ? "is missing" : wrong));
   }
   change.value = fmt::format("\"{}\"", value);
-  if (!scene::parse_tree(change.value).complete) {
+  if (!json::is_well_formed(change.value)) {
     throw std::invalid_argument("its value is neither JSON nor a word");
   }
   return change;

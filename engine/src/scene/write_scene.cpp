@@ -1,235 +1,211 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <iterator>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <type_traits>
+#include <variant>
 
 #include "carom/scene_file.hpp"
+#include "carom/scene_stream.hpp"
+#include "json/writer.hpp"
+#include "scene/table.hpp"
 
 namespace carom {
 
 namespace {
 
-/// The shortest decimal that is read back to the same bits; -0 keeps its sign.
-std::string number(double value) {
-  const std::string text = fmt::format("{}", value);
-  return text == "-0" ? "-0.0" : text;
+using json::Writer;
+using scene::Form;
+using scene::Key;
+
+/// Whether two values are written the same; -0 is not 0.
+template <class T>
+bool same(const T& a, const T& b) {
+  return a == b;
+}
+bool same(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+bool same(const Vec2& a, const Vec2& b) {
+  return same(a.x(), b.x()) && same(a.y(), b.y());
 }
 
-std::string pair(const Vec2& value) {
-  return fmt::format("[{}, {}]", number(value.x()), number(value.y()));
-}
-
-std::string text(std::string_view value) {
-  std::string quoted = "\"";
-  for (const char c : value) {
-    if (c == '"' || c == '\\') {
-      quoted += '\\';
-      quoted += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      quoted += fmt::format("\\u{:04x}", static_cast<unsigned char>(c));
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "\"";
-}
-
-/// An object on one line, key by key.
-class Line {
+class SceneWriter {
  public:
-  Line& put(std::string_view key, std::string_view json) {
-    body_ += fmt::format("{}\"{}\": {}", body_.empty() ? "" : ", ", key, json);
-    return *this;
+  SceneWriter(const SceneStream& more, const TextSink& sink) : more_(more), writer_(sink) {}
+
+  void write(const Scene& scene) {
+    writer_.begin_object(Writer::Layout::lines);
+    put_members(scene);
+    writer_.end_object().finish();
   }
-  [[nodiscard]] std::string take() const { return "{" + body_ + "}"; }
 
  private:
-  std::string body_;
+  template <class Object>
+  void put_members(const Object& object) {
+    scene::for_each_key<Object>([&](const auto& key) { put_member(object, key); });
+  }
+
+  template <class Object, class Member, Form kForm>
+  void put_member(const Object& object, const Key<Object, Member, kForm>& key) {
+    if constexpr (kForm == Form::unused) {
+      return;
+    } else if constexpr (kForm == Form::streamed) {
+      put_stream(key.name, object.*key.slot);
+    } else if constexpr (kForm == Form::workers) {
+      if (object.workers) writer_.put(key.name, *object.workers);
+      if (object.per_ball) writer_.put(key.name, kPerBall);
+    } else {
+      if (!key.always_written && is_default(object, key)) return;
+      writer_.key(key.name);
+      put(object.*key.slot);
+    }
+  }
+
+  template <class Object, class Key>
+  static bool is_default(const Object& object, const Key& key) {
+    const auto& value = object.*key.slot;
+    if constexpr (requires { value.has_value(); }) {
+      return !value.has_value();
+    } else if constexpr (requires { value.capacity(); }) {
+      return value.empty();
+    } else if constexpr (scene::HasTable<std::decay_t<decltype(value)>>) {
+      return false;
+    } else {
+      static const Object kDefaults{};
+      return same(value, kDefaults.*key.slot);
+    }
+  }
+
+  // The values, by their types.
+
+  void put(double number) { writer_.value(number); }
+  void put(bool flag) { writer_.value(flag); }
+  void put(int number) { writer_.value(number); }
+  void put(unsigned number) { writer_.value(number); }
+  void put(std::uint64_t number) { writer_.value(number); }
+  void put(const std::string& text) { writer_.value(text); }
+  void put(char glyph) { writer_.value(std::string_view(&glyph, 1)); }
+  void put(const Vec2& pair) { writer_.begin_list().value(pair.x()).value(pair.y()).end_list(); }
+  void put(const std::array<bool, 2>& axes) {
+    writer_.begin_list();
+    if (axes[0]) writer_.value("x");
+    if (axes[1]) writer_.value("y");
+    writer_.end_list();
+  }
+  template <class Item>
+  void put(const std::array<Item, 2>& items) {
+    writer_.begin_list();
+    for (const Item& item : items) put(item);
+    writer_.end_list();
+  }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void put(Enum value) {
+    for (const auto& name : scene::names_of(value)) {
+      if (name.value == value) writer_.value(name.word);
+    }
+  }
+  template <class T>
+  void put(const std::optional<T>& optional) {
+    put(*optional);
+  }
+  template <class Item>
+  void put(const std::vector<Item>& items) {
+    writer_.begin_list(Writer::Layout::lines);
+    for (const Item& item : items) put(item);
+    writer_.end_list();
+  }
+  void put(const Gravity& gravity) { put(gravity.acceleration); }
+  template <scene::HasTable Object>
+  void put(const Object& object) {
+    writer_.begin_object();
+    put_members(object);
+    writer_.end_object();
+  }
+
+  /// The command of a line is its type.
+  template <class Line>
+  void put_line(const Line& line) {
+    writer_.begin_object();
+    scene::for_each_key<Line>([&](const auto& key) {
+      if constexpr (std::same_as<std::decay_t<decltype(line.*key.slot)>, scene::CommandWord>) {
+        writer_.put(key.name, Line::kWord);
+      } else {
+        put_member(line, key);
+      }
+    });
+    writer_.end_object();
+  }
+  void put(const ScriptLine& entry) {
+    const double at = entry.at;
+    struct Visitor {
+      SceneWriter& writer;
+      double at;
+      void operator()(const command::Add& add) const {
+        writer.put_line(scene::AddLine{.at = at, .ball = add.ball});
+      }
+      void operator()(const command::Remove& remove) const {
+        writer.put_line(scene::RemoveLine{.at = at, .ball = remove.ball});
+      }
+      void operator()(const command::Pause&) const { writer.put_line(scene::PauseLine{.at = at}); }
+      void operator()(const command::Resume&) const {
+        writer.put_line(scene::ResumeLine{.at = at});
+      }
+      void operator()(const command::SetEffects& set) const {
+        writer.put_line(scene::SetLine{.at = at, .effects = set.effects});
+      }
+      void operator()(const command::SetStep& set) const {
+        writer.put_line(scene::SetLine{.at = at, .solver = scene::NewStep{set.step}});
+      }
+      void operator()(const command::Quit&) const { writer.put_line(scene::QuitLine{.at = at}); }
+    };
+    std::visit(Visitor{*this, at}, entry.command);
+  }
+
+  /// Nothing is written of an empty list.
+  template <class Item, class Each>
+  void put_each(std::string_view name, const std::vector<Item>& items, const Each& each) {
+    bool begun = false;
+    const auto put_item = [&](const Item& item) {
+      if (!begun) writer_.key(name).begin_list(Writer::Layout::lines);
+      begun = true;
+      put(item);
+    };
+    for (const Item& item : items) put_item(item);
+    if (each) each(put_item);
+    if (begun) writer_.end_list();
+  }
+  void put_stream(std::string_view name, const std::vector<Ball>& balls) {
+    put_each(name, balls, more_.each_ball);
+  }
+  void put_stream(std::string_view name, const std::vector<SavedFlight>& flights) {
+    put_each(name, flights, more_.each_flight);
+  }
+
+  const SceneStream& more_;  // than is in the scene
+  Writer writer_;
 };
-
-bool is_plus_zero(double value) {
-  return value == 0 && !std::signbit(value);
-}
-
-std::string ball(const Ball& ball) {
-  const Ball defaults;
-  Line line;
-  line.put("position", pair(ball.position));
-  if (!is_plus_zero(ball.velocity.x()) || !is_plus_zero(ball.velocity.y())) {
-    line.put("velocity", pair(ball.velocity));
-  }
-  line.put("radius", number(ball.radius));
-  if (ball.mass != defaults.mass) line.put("mass", number(ball.mass));
-  if (!is_plus_zero(ball.spin)) line.put("spin", number(ball.spin));
-  if (ball.fixed) line.put("fixed", "true");
-  if (ball.glyph != 0) line.put("glyph", text(std::string_view(&ball.glyph, 1)));
-  return line.take();
-}
-
-std::string json(const Walls& walls) {
-  Line line;
-  line.put("restitution", number(walls.restitution));
-  if (!walls.on) line.put("on", "false");
-  return line.take();
-}
-std::string json(const Collisions& collisions) {
-  Line line;
-  line.put("restitution", number(collisions.restitution));
-  if (!collisions.on) line.put("on", "false");
-  return line.take();
-}
-std::string json(const Gravity& gravity) {
-  return pair(gravity.acceleration);
-}
-std::string json(const Drag& drag) {
-  return Line().put("rate", number(drag.rate)).take();
-}
-std::string json(const Friction& friction) {
-  return Line().put("balls", number(friction.balls)).put("walls", number(friction.walls)).take();
-}
-std::string json(const Attraction& attraction) {
-  return Line()
-      .put("strength", number(attraction.strength))
-      .put("softening", number(attraction.softening))
-      .take();
-}
-
-std::string effects(const Effects& effects) {
-  Line line;
-  for_each_effect([&](const auto& entry) {
-    if (const auto& effect = effects.*entry.slot) line.put(entry.name, json(*effect));
-  });
-  return line.take();
-}
-
-std::string box(const Box& box) {
-  Line line;
-  line.put("width", number(box.width)).put("height", number(box.height));
-  if (box.periodic[0] && box.periodic[1]) {
-    line.put("periodic", R"(["x", "y"])");
-  } else if (box.periodic[0] || box.periodic[1]) {
-    line.put("periodic", box.periodic[0] ? R"(["x"])" : R"(["y"])");
-  }
-  if (box.origin == Box::Origin::center) line.put("origin", "\"center\"");
-  return line.take();
-}
-
-std::string fill(const Fill& fill) {
-  constexpr const char* kArrangements[] = {"random", "square", "hexagonal"};
-  Line line;
-  line.put("count", fmt::format("{}", fill.count));
-  line.put("radius", number(fill.radius)).put("mass", number(fill.mass));
-  line.put("temperature", number(fill.temperature));
-  line.put("arrangement", text(kArrangements[static_cast<std::size_t>(fill.arrangement)]));
-  if (fill.region) {
-    line.put("region", fmt::format("[{}, {}]", pair((*fill.region)[0]), pair((*fill.region)[1])));
-  }
-  if (fill.glyph != 0) line.put("glyph", text(std::string_view(&fill.glyph, 1)));
-  return line.take();
-}
-
-std::string solver(const SolverChoice& solver) {
-  Line line;
-  if (solver.method) {
-    line.put("method", *solver.method == Method::overlap ? "\"overlap\"" : "\"event\"");
-  }
-  line.put("step", number(solver.step)).put("digits", fmt::format("{}", solver.digits));
-  return line.take();
-}
-
-std::string script_line(const ScriptLine& entry) {
-  Line line;
-  line.put("at", number(entry.at));
-  struct Visitor {
-    Line& line;
-    void operator()(const command::Add& add) const {
-      line.put("command", "\"add\"").put("ball", ball(add.ball));
-    }
-    void operator()(const command::Remove& remove) const {
-      line.put("command", "\"remove\"");
-      if (remove.ball) line.put("ball", fmt::format("{}", *remove.ball));
-    }
-    void operator()(const command::Pause&) const { line.put("command", "\"pause\""); }
-    void operator()(const command::Resume&) const { line.put("command", "\"resume\""); }
-    void operator()(const command::SetEffects& set) const {
-      line.put("command", "\"set\"").put("effects", effects(set.effects));
-    }
-    void operator()(const command::SetStep& set) const {
-      line.put("command", "\"set\"").put("solver", Line().put("step", number(set.step)).take());
-    }
-    void operator()(const command::Quit&) const { line.put("command", "\"quit\""); }
-  };
-  std::visit(Visitor{line}, entry.command);
-  return line.take();
-}
-
-/// A list of things, one on a line.
-template <class Thing, class Write>
-std::string list(const std::vector<Thing>& things, Write write) {
-  std::string lines = "[";
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    lines += i == 0 ? "\n    " : ",\n    ";
-    lines += write(things[i]);
-  }
-  return lines + "\n  ]";
-}
-
-std::string flight(const SavedFlight& flight) {
-  const auto two = [](const std::array<std::string, 2>& numbers) {
-    return fmt::format("[{}, {}]", text(numbers[0]), text(numbers[1]));
-  };
-  Line line;
-  line.put("start", text(flight.start));
-  line.put("position", two(flight.position)).put("velocity", two(flight.velocity));
-  if (!flight.spin.empty()) line.put("spin", text(flight.spin));
-  if (flight.left) line.put("left", fmt::format("{}", *flight.left));
-  if (flight.carried != 0) line.put("carried", fmt::format("{}", flight.carried));
-  return line.take();
-}
-
-std::string continuation(const Continuation& continuation) {
-  Line line;
-  line.put("time", number(continuation.time))
-      .put("clock", number(continuation.clock))
-      .put("paused", continuation.paused ? "true" : "false");
-  if (continuation.clock_origin) line.put("clock_origin", number(*continuation.clock_origin));
-  if (continuation.time_origin) line.put("time_origin", number(*continuation.time_origin));
-  line.put("step_origin", number(continuation.step_origin))
-      .put("steps", fmt::format("{}", continuation.steps));
-  if (continuation.tick) line.put("tick", number(*continuation.tick));
-  if (continuation.rests) line.put("rests", "true");
-  if (!continuation.flights.empty()) {
-    line.put("flights", list(continuation.flights, flight));
-  }
-  return line.take();
-}
 
 }  // namespace
 
-std::string write_scene(const Scene& scene) {
-  std::string json = "{";
-  const auto put = [&](std::string_view key, std::string_view value) {
-    fmt::format_to(std::back_inserter(json), "{}\n  \"{}\": {}", json.size() == 1 ? "" : ",", key,
-                   value);
-  };
-  if (!scene.name.empty()) put("name", text(scene.name));
-  if (!scene.about.empty()) put("about", text(scene.about));
-  put("box", box(scene.box));
-  put("effects", effects(scene.effects));
-  if (!scene.balls.empty()) put("balls", list(scene.balls, ball));
-  if (!scene.fills.empty()) put("fill", list(scene.fills, fill));
-  put("seed", fmt::format("{}", scene.seed));
-  put("solver", solver(scene.solver));
-  if (scene.workers) {
-    put("workers", fmt::format("{}", *scene.workers));
-  } else if (scene.per_ball) {
-    put("workers", "\"per-ball\"");
+Scene SceneStream::collect() const {
+  Scene scene = head;
+  if (each_ball) each_ball([&](const Ball& ball) { scene.balls.push_back(ball); });
+  if (each_flight && scene.continuation) {
+    each_flight([&](const SavedFlight& flight) { scene.continuation->flights.push_back(flight); });
   }
-  put("duration", number(scene.duration));
-  put("frame_rate", number(scene.frame_rate));
-  if (!scene.script.empty()) put("script", list(scene.script, script_line));
-  if (scene.continuation) put("continuation", continuation(*scene.continuation));
-  return json + "\n}\n";
+  return scene;
+}
+
+void write_scene(const SceneStream& scene, const TextSink& sink) {
+  SceneWriter(scene, sink).write(scene.head);
+}
+
+std::string write_scene(const Scene& scene) {
+  std::string text;
+  const SceneStream no_more;
+  SceneWriter(no_more, [&](std::string_view part) { text += part; }).write(scene);
+  return text;
 }
 
 }  // namespace carom

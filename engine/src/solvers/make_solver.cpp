@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 #include "solvers/solvers_of_build.hpp"
 
@@ -24,10 +25,9 @@ MakeSolver* solvers_of_processor() {
 
 }  // namespace
 
-std::unique_ptr<Solver> make_solver(const Scene& scene, const std::vector<Ball>& balls,
-                                    Method method) {
+std::unique_ptr<Solver> make_solver(const Scene& scene, std::vector<Ball> balls, Method method) {
   static MakeSolver* const kSolvers = solvers_of_processor();
-  return kSolvers(scene, balls, method);
+  return kSolvers(scene, std::move(balls), method);
 }
 
 }  // namespace carom

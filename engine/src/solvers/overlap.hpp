@@ -62,7 +62,7 @@ class OverlapSolver final : public Solver {
   void set(const Effects& effects) override;
   void set_step(double step) override;
   [[nodiscard]] std::size_t balls() const override { return balls_.size(); }
-  [[nodiscard]] std::vector<Ball> state() const override { return balls_.to_vector(); }
+  void visit_state(const BallVisitor& visit) const override { balls_.for_each(visit); }
   [[nodiscard]] std::string state_hash() const override { return carom::state_hash(balls_); }
   [[nodiscard]] double energy() const override;
   [[nodiscard]] double dissipated() const override;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "carom/crew.hpp"
@@ -35,7 +37,16 @@ class Solver {
   virtual void set_step(double step) = 0;
 
   [[nodiscard]] virtual std::size_t balls() const = 0;
-  [[nodiscard]] virtual std::vector<Ball> state() const = 0;
+  using BallVisitor = std::function<void(const Ball&)>;
+  using FlightVisitor = std::function<void(const SavedFlight&)>;
+  /// Shows the balls as they are now, one by one in their order.
+  virtual void visit_state(const BallVisitor& visit) const = 0;
+  [[nodiscard]] std::vector<Ball> state() const {
+    std::vector<Ball> result;
+    result.reserve(balls());
+    visit_state([&result](const Ball& ball) { result.push_back(ball); });
+    return result;
+  }
   /// Where the balls are to the last digit that is computed; `state` rounds to double.
   [[nodiscard]] virtual std::vector<ExactPosition> exact_positions() const {
     std::vector<ExactPosition> result;
@@ -50,8 +61,11 @@ class Solver {
   [[nodiscard]] virtual Vec2 momentum() const = 0;
   /// Adds what the solver has counted: impacts, deepest overlap, seconds of the effects.
   virtual void count(Measurements& measurements) const = 0;
-  /// Writes into the scene what it takes to go on bit for bit.
+  /// Writes into the scene what it takes to go on bit for bit, but for balls and flights.
   virtual void save(Scene& scene) const = 0;
+  /// Shows the balls from which a saved run goes on, and their flights where the method has any.
+  virtual void visit_saved(const BallVisitor& visit) const { visit_state(visit); }
+  virtual void visit_flights(const FlightVisitor& /*visit*/) const {}
 
   /// From now on every impact is noted, or none.  What is not asked for costs nothing.
   virtual void record_impacts(bool /*wanted*/) {}

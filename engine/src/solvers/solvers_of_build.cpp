@@ -1,18 +1,19 @@
 // Compiled once for each set of instructions; the second time CAROM_SOLVERS names its function.
 #include "solvers/solvers_of_build.hpp"
 
+#include <utility>
+
 #include "solvers/event/event_solver.hpp"
 #include "solvers/integrated/integrated_solver.hpp"
 #include "solvers/overlap.hpp"
 
 namespace carom {
 
-std::unique_ptr<Solver> CAROM_SOLVERS(const Scene& scene, const std::vector<Ball>& balls,
-                                      Method method) {
+std::unique_ptr<Solver> CAROM_SOLVERS(const Scene& scene, std::vector<Ball> balls, Method method) {
   if (method == Method::event) {
     // Attraction leaves no closed-form flight: it is integrated.
     if (scene.effects.attraction) return std::make_unique<IntegratedSolver>(scene, balls);
-    return std::make_unique<EventSolver>(scene, balls);
+    return std::make_unique<EventSolver>(scene, std::move(balls));
   }
   return std::make_unique<OverlapSolver>(scene, balls);
 }

@@ -12,12 +12,10 @@
 
 namespace carom {
 
-std::unique_ptr<Solver> make_baseline_solver(const Scene& scene, const std::vector<Ball>& balls,
+std::unique_ptr<Solver> make_baseline_solver(const Scene& scene, std::vector<Ball> balls,
                                              Method method);
 /// There in a build with CAROM_LEVELS only: for processors of x86-64-v3 and x86-64-v4.
-std::unique_ptr<Solver> make_v3_solver(const Scene& scene, const std::vector<Ball>& balls,
-                                       Method method);
-std::unique_ptr<Solver> make_v4_solver(const Scene& scene, const std::vector<Ball>& balls,
-                                       Method method);
+std::unique_ptr<Solver> make_v3_solver(const Scene& scene, std::vector<Ball> balls, Method method);
+std::unique_ptr<Solver> make_v4_solver(const Scene& scene, std::vector<Ball> balls, Method method);
 
 }  // namespace carom

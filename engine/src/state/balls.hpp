@@ -33,6 +33,10 @@ struct Balls {
   [[nodiscard]] Vec2 at(std::size_t i) const { return {position[0][i], position[1][i]}; }
   [[nodiscard]] Ball ball(std::size_t i) const;
   [[nodiscard]] std::vector<Ball> to_vector() const;
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (std::size_t i = 0; i < size(); ++i) visit(ball(i));
+  }
 };
 
 }  // namespace carom

@@ -62,18 +62,40 @@ std::uint64_t mixed(std::uint64_t digest, double value) {
 }  // namespace
 
 std::string state_hash(const Balls& balls) {
-  std::uint64_t digest = balls.size();
-  for (std::size_t i = 0; i < balls.radius.size(); ++i) {
-    for (const auto* columns : {&balls.position, &balls.velocity}) {
-      for (const Balls::Column& column : *columns) digest = mixed(digest, column[i]);
-    }
-    if (balls.spin.size() > 0) digest = mixed(digest, balls.spin[i]);
-  }
+  StateHash hash(balls.size(), balls.spin.size() > 0);
+  for (std::size_t i = 0; i < balls.size(); ++i) hash.add(balls.ball(i));
+  return hash.text();
+}
+
+void StateHash::add(const Ball& ball) {
+  for (std::size_t k = 0; k < 2; ++k) digest_ = mixed(digest_, ball.position[k]);
+  for (std::size_t k = 0; k < 2; ++k) digest_ = mixed(digest_, ball.fixed ? 0 : ball.velocity[k]);
+  if (spins_) digest_ = mixed(digest_, ball.fixed ? 0 : ball.spin);
+}
+
+std::string StateHash::text() const {
   std::string text(16, '0');
   for (std::size_t k = 0; k < text.size(); ++k) {
-    text[text.size() - 1 - k] = "0123456789abcdef"[(digest >> (4 * k)) & 15U];
+    text[text.size() - 1 - k] = "0123456789abcdef"[(digest_ >> (4 * k)) & 15U];
   }
   return text;
+}
+
+void Totals::add(const Ball& ball) {
+  const std::size_t i = number_++;
+  if (ball.fixed) return;
+  kinetic_ += ball.mass * ball.velocity.squaredNorm() / 2;
+  momentum_ += ball.mass * ball.velocity;
+  if (spins_) {
+    const double speed = ball.radius * ball.spin;
+    spin_ += ball.mass * speed * speed / 4;
+  }
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (gravity_[axis] == 0) continue;
+    double x = ball.position[axis];
+    if (!turns_[axis].empty()) x += static_cast<double>(turns_[axis][i]) * periods_[axis];
+    potential_[axis] -= ball.mass * gravity_[axis] * x;
+  }
 }
 
 }  // namespace carom

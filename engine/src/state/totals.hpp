@@ -26,4 +26,42 @@ Vec2 momentum(const Balls& balls);
 /// any, spins in ball order.
 std::string state_hash(const Balls& balls);
 
+/// The same sums of balls that are given one by one, in their order.
+class Totals {
+ public:
+  /// `spins`: the balls have spins.  `turns`: as long as they are summed.
+  Totals(bool spins, const Vec2& gravity, const Vec2& periods, const Turns& turns)
+      : spins_(spins), gravity_(gravity), periods_(periods), turns_(turns) {}
+
+  void add(const Ball& ball);
+  [[nodiscard]] double energy() const {
+    return kinetic_ + (spins_ ? spin_ : 0) + (potential_.x() + potential_.y());
+  }
+  [[nodiscard]] const Vec2& momentum() const { return momentum_; }
+
+ private:
+  bool spins_;
+  Vec2 gravity_;
+  Vec2 periods_;
+  const Turns& turns_;
+  std::size_t number_ = 0;
+  double kinetic_ = 0;
+  double spin_ = 0;
+  Vec2 potential_;
+  Vec2 momentum_;
+};
+
+/// The state's hash of balls that are given one by one, in their order.
+class StateHash {
+ public:
+  StateHash(std::size_t balls, bool spins) : spins_(spins), digest_(balls) {}
+
+  void add(const Ball& ball);
+  [[nodiscard]] std::string text() const;
+
+ private:
+  bool spins_;
+  std::uint64_t digest_;
+};
+
 }  // namespace carom

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -75,9 +77,13 @@ class Core {
   virtual void set(const Domain& domain, const Effects& effects, bool bends) = 0;
 
   // The present state.
-  /// Sets position, velocity and spin of the balls that move.
-  /// REQUIRES: one for each ball.
-  virtual void look(std::vector<Ball>& balls) const = 0;
+  /// The balls with what does not change of them while they fly; a fixed one is where it is.
+  [[nodiscard]] virtual const std::vector<Ball>& balls() const = 0;
+  /// Sets position, velocity and spin of those that move of the balls from number `first` on.
+  virtual void look(std::size_t first, std::span<Ball> balls) const = 0;
+  /// Of all balls.
+  /// REQUIRES: one for each.
+  void look(std::vector<Ball>& balls) const { look(0, balls); }
   [[nodiscard]] virtual std::vector<ExactPosition> exact_positions() const = 0;
   /// How often each ball has gone round the periodic axes that gravity pulls along.
   [[nodiscard]] virtual Turns turns() const = 0;
@@ -89,8 +95,10 @@ class Core {
   /// As in Solver: notes impacts, and gives those noted since the last call.
   virtual void record_impacts(bool /*wanted*/) {}
   virtual void take_impacts(std::vector<Impact>& /*impacts*/) {}
-  /// Writes the flights, the tick of the clock and whether contacts can rest.
+  /// Writes the tick of the clock and whether contacts can rest.
   virtual void save(Continuation& continuation) const = 0;
+  /// Shows the flights in the order of the balls.
+  virtual void visit_flights(const std::function<void(const SavedFlight&)>& visit) const = 0;
 };
 
 }  // namespace carom::event

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "carom/scene_file.hpp"
@@ -25,17 +27,27 @@ std::vector<Ball> with_fixed_at_rest(std::vector<Ball> balls) {
   return balls;
 }
 
+/// The balls are the core's: they are in memory once.
+std::unique_ptr<event::Core> core_of(const Scene& scene, std::vector<Ball> balls,
+                                     const event::Sharing& sharing) {
+  event::CoreStart start{Domain(scene.box, has_walls(scene.effects)),
+                         scene.effects,
+                         {},
+                         scene.continuation.value_or(Continuation{}),
+                         event::may_rest(scene, balls),
+                         worker_count(scene, balls.size()),
+                         sharing,
+                         scene.source};
+  start.balls = std::move(balls);
+  return event::make_core(std::move(start), scene.solver.digits);
+}
+
 }  // namespace
 
 EventSolver::EventSolver(const Scene& scene, std::vector<Ball> balls, const event::Sharing& sharing)
     : domain_(scene.box, has_walls(scene.effects)),
       effects_(scene.effects),
-      balls_(with_fixed_at_rest(std::move(balls))),
-      core_(
-          event::make_core({domain_, effects_, balls_, scene.continuation.value_or(Continuation{}),
-                            event::may_rest(scene, balls_), worker_count(scene, balls_.size()),
-                            sharing, scene.source},
-                           scene.solver.digits)) {
+      core_(core_of(scene, with_fixed_at_rest(std::move(balls)), sharing)) {
   if (scene.continuation && !scene.continuation->flights.empty()) refuse_other_places(scene);
 }
 
@@ -59,12 +71,10 @@ void EventSolver::refuse_other_places(const Scene& scene) const {
 }
 
 void EventSolver::add(const Ball& ball) {
-  balls_.push_back(ball);
   core_->add(ball);
 }
 
 void EventSolver::remove(std::size_t ball) {
-  balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(ball));
   core_->remove(ball);
 }
 
@@ -83,34 +93,46 @@ void EventSolver::set(const Effects& effects) {
   core_->set(domain_, effects_, effects.gravity || effects.drag);
 }
 
-std::vector<Ball> EventSolver::state() const {
-  std::vector<Ball> result = balls_;
-  core_->look(result);
-  for (Ball& ball : result) {
-    if (ball.fixed) continue;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      if (!domain_.solid(axis)) continue;
-      double& x = ball.position[axis];
-      x = std::clamp(x, domain_.lowest(axis, ball.radius), domain_.highest(axis, ball.radius));
+// A few balls at a time: the state is in memory once, as flights.
+void EventSolver::visit_state(const BallVisitor& visit) const {
+  std::array<Ball, 256> buffer;
+  const std::vector<Ball>& balls = core_->balls();
+  for (std::size_t first = 0; first < balls.size(); first += buffer.size()) {
+    const std::size_t count = std::min(buffer.size(), balls.size() - first);
+    std::copy_n(balls.begin() + static_cast<std::ptrdiff_t>(first), count, buffer.begin());
+    core_->look(first, std::span(buffer.data(), count));
+    for (std::size_t k = 0; k < count; ++k) {
+      Ball& ball = buffer[k];
+      for (std::size_t axis = 0; axis < 2 && !ball.fixed; ++axis) {
+        if (!domain_.solid(axis)) continue;
+        double& x = ball.position[axis];
+        x = std::clamp(x, domain_.lowest(axis, ball.radius), domain_.highest(axis, ball.radius));
+      }
+      visit(ball);
     }
   }
-  return result;
 }
 
 std::string EventSolver::state_hash() const {
-  return carom::state_hash(Balls(state(), effects_));
+  StateHash hash(balls(), effects_.friction.has_value());
+  visit_state([&hash](const Ball& ball) { hash.add(ball); });
+  return hash.text();
 }
 
 double EventSolver::energy() const {
-  const Balls balls(state(), effects_);
   const Vec2 gravity = effects_.gravity ? effects_.gravity->acceleration : Vec2{0, 0};
-  const double spins = effects_.friction ? spin_energy(balls) : 0;
-  return kinetic_energy(balls) + spins - core_->energy_ahead() +
-         potential_energy(balls, gravity, {domain_.period[0], domain_.period[1]}, core_->turns());
+  const Turns turns = core_->turns();
+  Totals totals(effects_.friction.has_value(), gravity, {domain_.period[0], domain_.period[1]},
+                turns);
+  visit_state([&totals](const Ball& ball) { totals.add(ball); });
+  return totals.energy() - core_->energy_ahead();
 }
 
 Vec2 EventSolver::momentum() const {
-  return carom::momentum(Balls(state()));
+  const Turns no_turns;
+  Totals totals(false, {0, 0}, {0, 0}, no_turns);
+  visit_state([&totals](const Ball& ball) { totals.add(ball); });
+  return totals.momentum();
 }
 
 void EventSolver::count(Measurements& measurements) const {

@@ -26,8 +26,8 @@ class EventSolver final : public Solver {
   void remove(std::size_t ball) override;
   void set(const Effects& effects) override;
   void set_step(double) override {}
-  [[nodiscard]] std::size_t balls() const override { return balls_.size(); }
-  [[nodiscard]] std::vector<Ball> state() const override;
+  [[nodiscard]] std::size_t balls() const override { return core_->balls().size(); }
+  void visit_state(const BallVisitor& visit) const override;
   [[nodiscard]] std::vector<ExactPosition> exact_positions() const override {
     return core_->exact_positions();
   }
@@ -37,6 +37,7 @@ class EventSolver final : public Solver {
   [[nodiscard]] Vec2 momentum() const override;
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;
+  void visit_flights(const FlightVisitor& visit) const override { core_->visit_flights(visit); }
   void record_impacts(bool wanted) override { core_->record_impacts(wanted); }
   void take_impacts(std::vector<Impact>& impacts, bool /*of_all*/) override {
     core_->take_impacts(impacts);
@@ -47,7 +48,6 @@ class EventSolver final : public Solver {
 
   Domain domain_;
   Effects effects_;
-  std::vector<Ball> balls_;  // what does not change of them while they fly
   std::unique_ptr<event::Core> core_;
 };
 

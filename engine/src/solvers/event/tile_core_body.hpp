@@ -37,6 +37,8 @@ TileCore<P>::TileCore(CoreStart start)
       workers_(start.workers),
       now_(moment(start.from.time)),
       target_(now_) {
+  flights_.reserve(balls_.size());
+  spins_.reserve(balls_.size());
   if (start.from.flights.empty()) {
     for (const Ball& ball : balls_) {
       flights_.push_back(flight_of(ball));
@@ -377,15 +379,18 @@ void TileCore<P>::start() {
   tile_.reset();
   groups_.reset();
   domains_.reset();
+  flights_ = std::vector<Disk>();  // not beside those of the tile
   if constexpr (kShares) {
     if (way == Way::domains) {
       domains_ = std::make_unique<Domains<P>>(rules);
       domains_->set_workers(workers_);
       domains_->reset(disks, now_.ticks, effects_.friction ? spins_ : std::vector<S>{});
       flights_.clear();
-      std::vector<Ball> balls = balls_;
-      look(balls);
-      domains_energy_ = kinetic_energy(Balls(balls));
+      if (effects_.drag) {
+        std::vector<Ball> balls = balls_;
+        look(balls);
+        domains_energy_ = kinetic_energy(Balls(balls));
+      }
       domains_began_ = now_;
       return;
     }
@@ -542,15 +547,16 @@ void TileCore<P>::set(const Domain& domain, const Effects& effects, bool bends) 
 }
 
 template <class P>
-void TileCore<P>::look(std::vector<Ball>& balls) const {
-  for (std::size_t i = 0; i < slot_.size(); ++i) {
-    if (balls[i].fixed) continue;
-    const Disk disk = flight(i);
+void TileCore<P>::look(std::size_t first, std::span<Ball> balls) const {
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    Ball& ball = balls[k];
+    if (ball.fixed) continue;
+    const Disk disk = flight(first + k);
     const auto at = motion().wrapped(motion().place(disk, now_.ticks));
     const auto v = motion().velocity(disk, now_.ticks);
-    balls[i].position = {static_cast<double>(at.x), static_cast<double>(at.y)};
-    balls[i].velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
-    if (const auto spin = this->spin(i)) balls[i].spin = static_cast<double>(*spin);
+    ball.position = {static_cast<double>(at.x), static_cast<double>(at.y)};
+    ball.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
+    if (const auto spin = this->spin(first + k)) ball.spin = static_cast<double>(*spin);
   }
 }
 
@@ -607,15 +613,19 @@ template <class P>
 void TileCore<P>::save(Continuation& continuation) const {
   continuation.tick = static_cast<double>(scale_.tick());
   continuation.rests = rests_;
-  std::vector<std::size_t> number(slot_.size());
-  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = i;
+}
+
+template <class P>
+void TileCore<P>::visit_flights(const std::function<void(const SavedFlight&)>& visit) const {
+  std::vector<Index> number(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = static_cast<Index>(i);
   for (std::size_t i = 0; i < slot_.size(); ++i) {
     const std::optional<S> spin = this->spin(i);
-    continuation.flights.push_back(saved<P>(flight(i), spin ? &*spin : nullptr));
-    SavedFlight& flight = continuation.flights.back();
-    flight.carried = motion().carried(this->flight(i));
+    SavedFlight saved = event::saved<P>(flight(i), spin ? &*spin : nullptr);
+    saved.carried = motion().carried(flight(i));
     const Index left = this->left(i);
-    if (left != kUnknown) flight.left = number[left];
+    if (left != kUnknown) saved.left = number[left];
+    visit(saved);
   }
 }
 

@@ -53,9 +53,9 @@ void WideCore::set(const Domain& domain, const Effects& effects, bool bends) {
   core_->set(domain, effects, bends);
 }
 
-void WideCore::look(std::vector<Ball>& balls) const {
+void WideCore::look(std::size_t first, std::span<Ball> balls) const {
   const WidePrecision precision(digits_);
-  core_->look(balls);
+  core_->look(first, balls);
 }
 
 std::vector<ExactPosition> WideCore::exact_positions() const {
@@ -86,6 +86,11 @@ Tally WideCore::tally() const {
 void WideCore::save(Continuation& continuation) const {
   const WidePrecision precision(digits_);
   core_->save(continuation);
+}
+
+void WideCore::visit_flights(const std::function<void(const SavedFlight&)>& visit) const {
+  const WidePrecision precision(digits_);
+  core_->visit_flights(visit);
 }
 
 void WideCore::record_impacts(bool wanted) {

@@ -19,13 +19,16 @@ class WideCore final : public Core {
   void add(const Ball& ball) override;
   void remove(std::size_t ball) override;
   void set(const Domain& domain, const Effects& effects, bool bends) override;
-  void look(std::vector<Ball>& balls) const override;
+  [[nodiscard]] const std::vector<Ball>& balls() const override { return core_->balls(); }
+  using Core::look;
+  void look(std::size_t first, std::span<Ball> balls) const override;
   [[nodiscard]] std::vector<ExactPosition> exact_positions() const override;
   [[nodiscard]] Turns turns() const override;
   [[nodiscard]] double energy_ahead() const override;
   [[nodiscard]] double dissipated() const override;
   [[nodiscard]] Tally tally() const override;
   void save(Continuation& continuation) const override;
+  void visit_flights(const std::function<void(const SavedFlight&)>& visit) const override;
   void record_impacts(bool wanted) override;
   void take_impacts(std::vector<Impact>& impacts) override;
 

@@ -316,7 +316,6 @@ void IntegratedSolver::take_impacts(std::vector<Impact>& impacts, bool of_all) {
 }
 
 void IntegratedSolver::save(Scene& scene) const {
-  if (whole_) scene.balls = whole_->balls.to_vector();
   scene.effects = effects_;
   scene.solver.step = step_;
   scene.continuation->step_origin = step_origin_;

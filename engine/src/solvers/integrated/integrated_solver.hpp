@@ -49,7 +49,11 @@ class IntegratedSolver final : public Solver {
   void set(const Effects& effects) override;
   void set_step(double step) override;
   [[nodiscard]] std::size_t balls() const override { return state_.balls.size(); }
-  [[nodiscard]] std::vector<Ball> state() const override { return state_.balls.to_vector(); }
+  void visit_state(const BallVisitor& visit) const override { state_.balls.for_each(visit); }
+  /// As they were at the last whole step.
+  void visit_saved(const BallVisitor& visit) const override {
+    (whole_ ? whole_->balls : state_.balls).for_each(visit);
+  }
   [[nodiscard]] std::string state_hash() const override { return carom::state_hash(state_.balls); }
   [[nodiscard]] double energy() const override;
   [[nodiscard]] double dissipated() const override;

@@ -1,10 +1,12 @@
-#include "scene/text_check.hpp"
+#include "json/text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 
-namespace carom::scene {
+namespace carom::json {
 
 namespace {
 
@@ -36,17 +38,25 @@ std::size_t sequence_length(std::string_view text) {
 
 }  // namespace
 
-std::optional<Problem> find_text_problem(std::string_view text) {
-  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    return Problem{
-        "", R"(is empty: a scene is a JSON object, as in {"box": {"width": 20, "height": 10}})"};
-  }
-  for (std::size_t i = 0; i < text.size();) {
+std::optional<NoText> find_text_problem(std::string_view text) {
+  std::size_t i = 0;
+  while (i < text.size()) {
+    // Eight bytes at a time, as long as all are ASCII and none is zero.
+    std::uint64_t word = 0;
+    if (i + sizeof word <= text.size()) {
+      std::memcpy(&word, text.data() + i, sizeof word);
+      constexpr std::uint64_t kHigh = 0x8080808080808080U;
+      constexpr std::uint64_t kOnes = 0x0101010101010101U;
+      if (((word | (word - kOnes)) & kHigh) == 0) {
+        i += sizeof word;
+        continue;
+      }
+    }
     const std::size_t length = sequence_length(text.substr(i));
     if (length == 0 || text[i] == '\0') {
-      return Problem{line_and_column(text, i),
-                     fmt::format("is not text in UTF-8: found the byte 0x{:02X}, save it as UTF-8",
-                                 static_cast<unsigned char>(text[i]))};
+      return NoText{i,
+                    fmt::format("is not text in UTF-8: found the byte 0x{:02X}, save it as UTF-8",
+                                static_cast<unsigned char>(text[i]))};
     }
     i += length;
   }
@@ -82,4 +92,16 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
-}  // namespace carom::scene
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  if (text.size() <= kLongest) return fmt::format("\"{}\"", printable(text));
+  std::size_t cut = kLongest;
+  while (cut > 0 && is_continuation(static_cast<unsigned char>(text[cut]))) --cut;
+  return fmt::format("\"{}...\"", printable(text.substr(0, cut)));
+}
+
+std::string_view first_character(std::string_view text) {
+  return text.substr(0, std::max<std::size_t>(1, sequence_length(text)));
+}
+
+}  // namespace carom::json
