@@ -37,7 +37,8 @@ void DomainLoop<P>::begin(const DomainWindow& window, const BlockFlight* flights
   flights_ = flights;
   flight_spins_ = spins;
   end_ = seconds(window.until);
-  bend_ = 2 * std::hypot(pull_[0], pull_[1]) * end_ * end_ / 8;
+  bend_per_square_ = std::hypot(pull_[0], pull_[1]);
+  bend_ = bend_per_square_ * end_ * end_ / 4;
   near_ = 2 * window.skin * (1 + 0x1p-20);
   loading_.clear();
   unusual_ = false;

@@ -138,6 +138,7 @@ class DomainLoop {
   [[nodiscard]] double radius(Slot i) const { return motion_.kind(disks_[i]).radius; }
   [[nodiscard]] double* spin_of(Slot i) { return spins_.empty() ? nullptr : &spins_[i]; }
   [[nodiscard]] Vec<double> place(Slot i, Ticks now) const;
+  [[nodiscard]] Vec<double> velocity(Slot i, Ticks now) const;
   void note_place(std::size_t i, double x, double y);
   void handle(Slot i, Ticks now);
   void time_event(Slot i, Ticks now);
@@ -165,7 +166,8 @@ class DomainLoop {
   std::array<double, 2> farthest_{};  ///< that a flight may go
   std::array<double, 2> pull_{};      ///< half of what gravity pulls with, either way
   Approach approach_;
-  double bend_ = 0;  ///< how far gravity bends a flight in the window
+  double bend_ = 0;             ///< how far gravity bends a flight in the window
+  double bend_per_square_ = 0;  ///< the same by the square of the time
   const BlockFlight* flights_ = nullptr;
   const double* flight_spins_ = nullptr;
   std::vector<Loaded> loading_;

@@ -16,6 +16,9 @@
 
 namespace carom::event {
 
+/// So many collisions a ball are a window.
+inline constexpr double kCollisionsOfWindow = 2;
+
 /// Balls solved window by window in domains of the plane, with the bits that one event loop over
 /// all balls has.
 ///

@@ -7,6 +7,8 @@
 
 namespace carom::event {
 
+// A domain solved again gets a halo so much wider.
+inline constexpr double kWiderAgain = 1.4;
 // Halos are as much wider as farther displacements than those of the last window ask for.
 inline constexpr double kFarther = 1.15;
 // Wider than single precision and what two sums of a place may differ by, in spacings.

@@ -1,0 +1,152 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "solvers/event/domains/domain_loop.hpp"
+#include "solvers/event/exit_lanes.hpp"
+
+namespace carom::event {
+
+// The flight has just begun.
+template <class P>
+[[gnu::always_inline]] inline void DomainLoop<P>::fly_on(Slot i, Ticks now) {
+  const Disk& disk = disks_[i];
+  Side& side = sides_[i];
+  ++side.changes;
+  const auto mix = [&](std::uint64_t bits) {
+    side.history = (side.history ^ bits) * 0x9e3779b97f4a7c15U;
+    side.history ^= side.history >> 32;
+  };
+  mix(static_cast<std::uint64_t>(now) ^ (std::bit_cast<std::uint64_t>(disk.vx) << 1));
+  mix(std::bit_cast<std::uint64_t>(disk.vy));
+  if (!spins_.empty()) mix(std::bit_cast<std::uint64_t>(spins_[i]));
+  Path& path = paths_[i];
+  const double dx = disk.x - window_.middle[0] - side.x;
+  const double dy = disk.y - window_.middle[1] - side.y;
+  const double shift_x = window_.middle[0] + periods_[0] * std::rint(dx * per_period_[0]);
+  const double shift_y = window_.middle[1] + periods_[1] * std::rint(dy * per_period_[1]);
+  note_place(i, disk.x - shift_x, disk.y - shift_y);
+  if constexpr (!P::Law::kStretches) {
+    const double since = seconds(now);
+    const Vec<double>& g = motion_.law().pull();
+    path = {disk.x - shift_x - since * (disk.vx - g.x * (since / 2)),
+            disk.y - shift_y - since * (disk.vy - g.y * (since / 2)), disk.vx - g.x * since,
+            disk.vy - g.y * since};
+  } else {
+    const Vec<double> at = motion_.place(disk, window_.from);
+    const Vec<double> v = motion_.velocity(disk, window_.from);
+    path = {at.x - shift_x, at.y - shift_y, v.x, v.y};
+  }
+  side.leaves = exit(i, now);
+}
+
+// Straight flights are farthest from anywhere where they begin or end.
+template <class P>
+[[gnu::always_inline]] inline void DomainLoop<P>::note_place(std::size_t i, double x, double y) {
+  Trip& trip = trips_[i];
+  const float dx = static_cast<float>(x) - trip.x;
+  const float dy = static_cast<float>(y) - trip.y;
+  trip.square = std::max(trip.square, dx * dx + dy * dy);
+}
+
+// What gravity bends a flight by adds to that.
+template <class P>
+float DomainLoop<P>::displacement(std::size_t k) {
+  if (sides_[k].fixed != 0) return 0;
+  const Vec<double> at = place(static_cast<Slot>(k), window_.until);
+  note_place(k, at.x, at.y);
+  return static_cast<float>((std::sqrt(static_cast<double>(trips_[k].square)) + bend_) *
+                            (1 + 0x1p-16));
+}
+
+// Where the ball is, in the image that its path is in.
+template <class P>
+Vec<double> DomainLoop<P>::place(Slot i, Ticks now) const {
+  const Path& path = paths_[i];
+  if constexpr (!P::Law::kStretches) {
+    const double since = seconds(now);
+    const Vec<double>& g = motion_.law().pull();
+    return {path.x + since * (path.vx + g.x * (since / 2)),
+            path.y + since * (path.vy + g.y * (since / 2))};
+  } else {
+    const Vec<double> then = motion_.place(disks_[i], window_.from);
+    const Vec<double> at = motion_.place(disks_[i], now);
+    return {path.x + (at.x - then.x), path.y + (at.y - then.y)};
+  }
+}
+
+template <class P>
+Vec<double> DomainLoop<P>::velocity(Slot i, Ticks now) const {
+  if constexpr (!P::Law::kStretches) {
+    const Path& path = paths_[i];
+    const double since = seconds(now);
+    const Vec<double>& g = motion_.law().pull();
+    return {path.vx + g.x * since, path.vy + g.y * since};
+  } else {
+    return motion_.velocity(disks_[i], now);
+  }
+}
+
+template <class P>
+void DomainLoop<P>::choose_circle(Slot i, Ticks now) {
+  const Vec<double> at = place(i, now);
+  Side& side = sides_[i];
+  side.x = at.x;
+  side.y = at.y;
+  side.leaves = exit(i, now);
+  look_for_walls(i);
+}
+
+// Its circle, its radius taken off the room it has.
+template <class P>
+[[gnu::always_inline]] inline void DomainLoop<P>::look_for_walls(Slot i) {
+  Side& side = sides_[i];
+  const double reach = (window_.skin + radius(i)) * (1 + 0x1p-20);
+  const auto clear = [&](std::size_t axis, double x) {
+    return !motion_.room().solid(axis) ||
+           (x - reach > window_.lowest[axis] && x + reach < window_.highest[axis]);
+  };
+  side.at_wall = clear(0, side.x) && clear(1, side.y) ? 0 : 1;
+}
+
+// Seconds until a place at `off` that moves straight at v is `radius` from 0.
+[[gnu::always_inline]] inline double leaves_circle(const Vec<double>& off, const Vec<double>& v,
+                                                   double radius) {
+  const double square = v.x * v.x + v.y * v.y;
+  if (!(square > 0)) return never<double>();
+  const double along = off.x * v.x + off.y * v.y;
+  const double gap = radius * radius - off.x * off.x - off.y * off.y;
+  return (std::sqrt(std::max(0.0, along * along + square * gap)) - along) / square;
+}
+
+// Not before it is `skin` from the middle of its circle.
+template <class P>
+[[gnu::always_inline]] inline double DomainLoop<P>::exit(Slot i, Ticks now) const {
+  const Side& side = sides_[i];
+  if (!bends_) {
+    const Path& path = paths_[i];
+    return leaves_circle({path.x - side.x, path.y - side.y}, {path.vx, path.vy}, window_.skin);
+  }
+  const Vec<double> at = place(i, now);
+  const Vec<double> off{at.x - side.x, at.y - side.y};
+  const Vec<double> v = velocity(i, now);
+  const double since = seconds(now);
+  // Till the end of the window it is never farther than so much from straight flight.
+  const double rest = end_ - since;
+  double bend = bend_per_square_ * rest * rest;
+  if constexpr (P::Law::kStretches) {
+    bend += motion_.law().rate * std::hypot(v.x, v.y) * rest * rest / 2;
+  }
+  if (bend < window_.skin / 4) {
+    const double radius = (window_.skin - bend) * (1 - 0x1p-20);
+    if (off.x * off.x + off.y * off.y > radius * radius) return since;
+    return since + leaves_circle(off, v, radius);
+  }
+  constexpr double kInscribed = 0.7071;
+  return since + square_exit_bound(motion_.law(), TwoLanes{off.x, off.y}, TwoLanes{v.x, v.y},
+                                   kInscribed * window_.skin);
+}
+
+}  // namespace carom::event

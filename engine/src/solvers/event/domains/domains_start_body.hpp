@@ -1,0 +1,157 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solvers/event/domains/domains.hpp"
+
+namespace carom::event {
+
+// A domain has about so many balls; below the second number and with one worker there is one.
+inline constexpr double kBallsOfDomain = 4000;
+inline constexpr std::size_t kBallsOfOneDomain = 20000;
+// The skin of lists, by the mean diameter and the gap between neighbours.
+inline constexpr double kSkinOfDiameter = 0.3;
+inline constexpr double kSkinOfGap = 0.7;
+// How wide a halo is at first beyond the balls followed to the end, in spacings.
+inline constexpr double kFirstPyramid = 4;
+// Of a window: the rate of drag times its length.
+inline constexpr double kMostDrag = 0.1;
+
+template <class P>
+Domains<P>::Domains(const BasicRules<double>& rules)
+    : motion_(std::make_shared<const Motion<P>>(rules)) {}
+
+template <class P>
+void Domains<P>::reset(const std::vector<Disk>& flights, Ticks now,
+                       const std::vector<double>& spins) {
+  const std::size_t n = flights.size();
+  next_.resize(n);
+  movers_ = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    next_[i] = BlockFlight::of(flights[i], static_cast<Index>(i));
+    if (motion_->fixed(flights[i])) {
+      next_[i].start = kEver;
+    } else {
+      ++movers_;
+    }
+  }
+  next_spins_ = spins;
+  memory_.clear();
+  from_ = now_ = until_ = target_ = now;
+  const carom::Domain& box = motion_->rules().domain;
+  const double area = (box.upper[0] - box.lower[0]) * (box.upper[1] - box.lower[1]);
+  spacing_ = std::sqrt(area / static_cast<double>(std::max<std::size_t>(n, 1)));
+  choose_radii(flights);
+  guess_window(flights);
+  pyramid_ = kFirstPyramid;
+  decompose();
+  limit_window();
+}
+
+// All but the largest few balls are normal.
+template <class P>
+void Domains<P>::choose_radii(const std::vector<Disk>& flights) {
+  const auto& kinds = motion_->rules().kinds;
+  std::vector<std::size_t> count(kinds.size(), 0);
+  double diameters = 0;
+  for (const Disk& disk : flights) {
+    ++count[disk.kind % kinds.size()];
+    diameters += 2 * kinds[disk.kind % kinds.size()].radius;
+  }
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    if (count[k] > 0) order.push_back(k);
+  }
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return kinds[a].radius > kinds[b].radius; });
+  std::size_t few = std::max<std::size_t>(64, flights.size() / 100);
+  normal_radius_ = 0;
+  const double mean = diameters / static_cast<double>(std::max<std::size_t>(flights.size(), 1));
+  for (const std::size_t k : order) {
+    normal_radius_ = kinds[k].radius;
+    // They take no room worth a list of their own.
+    if (count[k] > few || kinds[k].radius < mean) break;
+    few -= count[k];
+  }
+  skin_ = kSkinOfDiameter * mean + kSkinOfGap * std::max(spacing_ - mean, 0.0);
+  // Of two that are listed no image but the nearest may come near.
+  for (const double period : motion_->rules().domain.period) {
+    if (period > 0) skin_ = std::min(skin_, period / 8 - motion_->largest_radius() / 2);
+  }
+}
+
+// Of equal disks by Enskog; the first window tells better.
+template <class P>
+void Domains<P>::guess_window(const std::vector<Disk>& flights) {
+  double square = 0;
+  double fastest = 0;
+  double diameters = 0;
+  double covered = 0;
+  for (const Disk& disk : flights) {
+    const double v = disk.vx * disk.vx + disk.vy * disk.vy;
+    const double r = motion_->kind(disk).radius;
+    square += v;
+    fastest = std::max(fastest, v);
+    diameters += 2 * r;
+    covered += 3.14159 * r * r;
+  }
+  const auto& rules = motion_->rules();
+  const auto n = static_cast<double>(std::max<std::size_t>(movers_, 1));
+  const double gravity = std::hypot(rules.gravity[0], rules.gravity[1]);
+  const double speed = std::sqrt(square / n + gravity * spacing_);
+  const double packing = std::min(covered / (spacing_ * spacing_ * n), 0.8);
+  const double crowd = (1 - packing / 2) / ((1 - packing) * (1 - packing));
+  const double rate = 3 * speed * (diameters / n) / (spacing_ * spacing_) * crowd;
+  const Ticks most = kLongestFlight / 64;
+  window_ = rate > 0 ? rules.scale.ticks(kCollisionsOfWindow / rate) : most;
+  if (rules.drag_rate > 0) {
+    longest_ = rules.scale.ticks(kMostDrag / rules.drag_rate);
+  } else {
+    longest_ = most;
+  }
+  longest_ = std::min(std::clamp<Ticks>(longest_, 64, most), wanted_longest_);
+  window_ = std::min(window_, longest_);
+  speed_ = std::sqrt(fastest) + gravity * rules.scale.seconds(window_);
+}
+
+template <class P>
+void Domains<P>::decompose() {
+  const std::size_t n = next_.size();
+  const carom::Domain& box = motion_->rules().domain;
+  std::size_t wanted = 1;
+  if (n >= kBallsOfOneDomain) {
+    wanted = static_cast<std::size_t>(static_cast<double>(n) / kBallsOfDomain);
+  }
+  wanted = std::max(wanted, workers_);
+  regions_.clear();
+  to_solve_.clear();
+  if (wanted == 1) {
+    regions_.resize(1);
+    return;
+  }
+  blocks_ = std::make_unique<Blocks>(box, n);
+  const double width = box.upper[0] - box.lower[0];
+  const double height = box.upper[1] - box.lower[1];
+  const double across = std::sqrt(static_cast<double>(wanted) * width / height);
+  const int columns = std::clamp(static_cast<int>(std::lround(across)), 1,
+                                 std::min(blocks_->count(0), static_cast<int>(wanted)));
+  const int rows = std::clamp(static_cast<int>((wanted + static_cast<std::size_t>(columns) - 1) /
+                                               static_cast<std::size_t>(columns)),
+                              1, blocks_->count(1));
+  const auto cut = [](int count, int k, int parts) {
+    return static_cast<int>(static_cast<std::int64_t>(count) * k / parts);
+  };
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) {
+      Region region;
+      region.blocks.first = {cut(blocks_->count(0), x, columns), cut(blocks_->count(1), y, rows)};
+      region.blocks.size = {cut(blocks_->count(0), x + 1, columns) - region.blocks.first[0],
+                            cut(blocks_->count(1), y + 1, rows) - region.blocks.first[1]};
+      regions_.push_back(std::move(region));
+    }
+  }
+}
+
+}  // namespace carom::event
