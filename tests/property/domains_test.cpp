@@ -188,9 +188,8 @@ void compare(unsigned seed, Seen& seen) {
     EXPECT_EQ(domains.counts().ball_wall, tile.counts().ball_wall) << "seed " << seed;
     EXPECT_EQ(domains.counts().joint_impacts, tile.counts().joint_impacts) << "seed " << seed;
     EXPECT_EQ(domains.counts().max_overlap, tile.counts().max_overlap) << "seed " << seed;
-    if (!(setting.rules.drag_rate > 0)) {
-      EXPECT_EQ(domains.lost(), tile.lost()) << "seed " << seed << ", workers " << workers;
-    }
+    EXPECT_EQ(domains.lost(), setting.rules.drag_rate > 0 ? 0 : tile.lost())
+        << "seed " << seed << ", workers " << workers;
   }
 }
 

@@ -77,7 +77,7 @@ class Domains {
   [[nodiscard]] const Motion<P>& motion() const { return *motion_; }
   [[nodiscard]] Counts counts() const;
   [[nodiscard]] Costs costs() const;
-  /// The energy that impacts have taken since `reset`.
+  /// The energy that impacts have taken since `reset`; nothing of what drag takes.
   [[nodiscard]] double lost() const;
   /// Windows are so often none for domains that another way is faster.
   [[nodiscard]] bool stuck() const { return stuck_; }

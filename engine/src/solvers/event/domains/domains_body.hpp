@@ -203,6 +203,8 @@ void Domains<P>::solve_by_tile() {
   }
   if (!spins_.empty()) next_spins_ = tile.spins();
   counts_ += tile.counts();
+  // What drag takes follows from the time alone, and nothing else loses energy beside it.
+  if (motion_->rules().drag_rate > 0) return;
   for (const double lost : tile.take_lost()) lost_.add(lost);
 }
 
