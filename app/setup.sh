@@ -25,6 +25,8 @@ clang-format-14    tool:clang-format-14
 pkgconf            tool:pkg-config
 zsh                tool:zsh
 fish               tool:fish
+tmux               tool:tmux
+screen             tool:screen
 '
 
 build_folder=build/release

@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-constexpr int kRight = 42;  // their width
+constexpr int kRight = 44;  // their width
 constexpr int kLeastRows = 7;
 constexpr int kLeastStack = 16;  // of the instruments, above the cost panel
 constexpr int kBorder = 2;

@@ -14,7 +14,7 @@ void Player::note_frame(Instant now) {
 void Player::toggle_trails() {
   trails_.show(!trails_.shown());
   if (trails_.shown()) trails_.add(session_->simulation().frame());
-  say(trails_.shown() ? "trails of the last 30 frames" : "trails off");
+  say(trails_.shown() ? "trails show where the balls were" : "trails off");
 }
 
 void Player::toggle_arrows() {

@@ -8,6 +8,12 @@
 #include "view/dots.hpp"
 
 namespace carom {
+namespace {
+
+constexpr std::size_t kMostPieces = 1500;  // of all trails, from a frame to the next
+constexpr std::size_t kFewest = 6;
+
+}  // namespace
 
 void Trails::show(bool shown) {
   shown_ = shown;
@@ -32,12 +38,15 @@ void Trails::paint(const Frame& frame, Canvas& canvas, const Drawing& drawing) c
   const Camera camera(frame.box, canvas.columns, canvas.rows, drawing.viewpoint);
   const CellRange cells = visible_cells(frame, camera, canvas);
   const double typical = typical_speed(frame.balls);
+  // Of many balls the trails are shorter: the picture is not to be full of them.
+  const std::size_t frames = std::clamp(kMostPieces / (1 + frame.balls.size()), kFewest, kFrames);
+  const std::size_t first = positions_.size() > frames ? positions_.size() - frames : 1;
   Dots dots(canvas, cells, drawing.glyphs);
   for (std::size_t i = 0; i < frame.balls.size(); ++i) {
     const FrameBall& ball = frame.balls[i];
     if (ball.fixed || ball.speed == 0) continue;
     const float heat = heat_of(ball, typical);
-    for (std::size_t k = 1; k < positions_.size(); ++k) {
+    for (std::size_t k = first; k < positions_.size(); ++k) {
       // The short way through a periodic side ends at one side and begins at the other.
       const Vec2 from = positions_[k - 1][i];
       const Vec2 to = positions_[k][i];
