@@ -55,6 +55,22 @@ TEST(Panels, ShowTheInstruments) {
   EXPECT_TRUE(terminal.wait_for("energy dissipated 0")) << terminal.text();
 }
 
+TEST(Panels, ShowTheNumbersThatFollowFromTheScene) {
+  // The momentum is (-1, 0), so that of 21.5 of kinetic energy 1/6 is no heat, and two balls' worth
+  // of freedom is left: T = (21.5 - 1/6) / 2.
+  const SceneFile scene(R"({"box": {"width": 20, "height": 10, "periodic": ["x", "y"]},
+    "effects": {"collisions": {}}, "solver": {"method": "event"}, "workers": 2,
+    "balls": [{"position": [3, 5], "velocity": [4, 1]}, {"position": [10, 3], "velocity": [-3, 2]},
+              {"position": [17, 7], "velocity": [-2, -3]}]})");
+  Terminal terminal({scene.path()});
+  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  terminal.type("h");
+  EXPECT_TRUE(terminal.wait_for("temperature 10.67 ")) << terminal.text();
+  EXPECT_TRUE(terminal.wait_for("kinetic    21.5 ")) << terminal.text();
+  EXPECT_TRUE(terminal.wait_for("potential  0 ")) << terminal.text();
+  EXPECT_TRUE(terminal.wait_for("dissipated 0 ")) << terminal.text();
+}
+
 TEST(Panels, HoldAtEverySizeThroughAStormOfThem) {
   const SceneFile scene(kThreeBalls);
   Terminal terminal({scene.path(), "--fps", "60"});
