@@ -25,6 +25,10 @@ std::string number(double value) {
   return fmt::format("{:.4g}", value);
 }
 
+std::string exponent(double value) {
+  return value == 0 ? "0" : fmt::format("{:.1e}", value);
+}
+
 std::string average(const std::optional<TimeAverage>& value) {
   if (!value) return "-";
   const bool known = value->error && *value->error > kRounding * std::abs(value->mean);
@@ -143,7 +147,7 @@ std::vector<Value> energies_of(const InstrumentReadings& readings) {
                             {"potential", number(last(readings.potential)), &readings.potential}};
   if (readings.input != 0) values.push_back({"input", number(readings.input)});
   values.push_back({"dissipated", number(last(readings.dissipated)), &readings.dissipated});
-  values.push_back({"error", fmt::format("{:.1e}", last(readings.error)), &readings.error});
+  values.push_back({"error", exponent(last(readings.error)), &readings.error});
   return values;
 }
 

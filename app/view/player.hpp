@@ -165,7 +165,8 @@ class Player {
   bool numbers_shown_ = false;
   Instruments instruments_;
   ThreadsWatch threads_;
-  std::size_t calls_ = 0;  // of advance_to for the present frame
+  bool threads_first_ = false;  // they were opened last
+  std::size_t calls_ = 0;       // of advance_to for the present frame
 
   bool piles_up_;  // overlap by default, for so many balls can pile up
 

@@ -32,6 +32,7 @@ void Player::toggle_instruments() {
     instruments_.close(session_->simulation());
     return say("panel closed");
   }
+  threads_first_ = false;
   instruments_.open(session_->simulation(), history_.measured(*session_));
   const UserInterface::Size size = interface_.size();
   say(docks(size.columns, size.rows - lines_below(size.rows)).instruments.empty()
@@ -44,6 +45,7 @@ void Player::toggle_threads() {
     threads_.close(session_->simulation());
     return say("panel closed");
   }
+  threads_first_ = true;
   threads_.open(session_->simulation());
   const UserInterface::Size size = interface_.size();
   say(docks(size.columns, size.rows - lines_below(size.rows)).threads.empty()
@@ -59,6 +61,7 @@ void Player::toggle_slow_motion() {
   if (!threads_.open()) threads_.open(session_->simulation());
   if (!session_->paused()) session_->apply(command::Pause{});
   threads_.set_slow(true);
+  threads_first_ = true;
   say("slow motion: . goes to the next barrier");
 }
 

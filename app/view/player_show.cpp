@@ -71,6 +71,7 @@ Docks Player::docks(int columns, int rows) const {
   const bool below = threads_.open() || (instruments_.open() && columns < kWideScreen);
   if (below && scrub_bar_now()) --rows;
   DockWishes wishes;
+  wishes.threads_first = threads_first_;
   if (instruments_.open())
     wishes.instruments =
         columns >= kWideScreen ? kRowsOfInstrumentsStacked : kRowsOfInstrumentsBeside;

@@ -96,8 +96,22 @@ TEST(Panels, TheInstrumentsShowTemperatureAndEnergies) {
   EXPECT_FALSE(stage.at(2.9).says("temperature"));
 }
 
+TEST(Panels, ThatWasOpenedLastIsShownWhereThereIsRoomForOne) {
+  Stage stage;
+  stage.keys(0.2, "hl");
+  stage.key(1, 'h');
+  stage.key(1.2, 'h');
+  stage.key(2, 'q');
+  Player(four_balls(Method::overlap), stage).play();
+  EXPECT_TRUE(stage.at(0.8).says("do_frame")) << stage.at(0.8).text;
+  EXPECT_FALSE(stage.at(0.8).says("temperature"));
+  EXPECT_TRUE(stage.at(1.8).says("temperature")) << stage.at(1.8).text;
+  EXPECT_FALSE(stage.at(1.8).says("do_frame"));
+}
+
 TEST(Panels, GoBackInTimeWithTheRun) {
   Stage stage;
+  stage.resize(0.1, {120, 40});
   stage.keys(0.2, "hlzv");
   stage.key(2, 'p');
   for (int k = 0; k < 10; ++k) stage.key(2.5 + 0.1 * k, ',');
@@ -105,7 +119,6 @@ TEST(Panels, GoBackInTimeWithTheRun) {
   for (int k = 0; k < 4; ++k) stage.key(4.5 + 0.5 * k, '.');
   stage.key(7, ' ');
   stage.key(9, 'q');
-  stage.resize(0.1, {120, 40});
   Player(four_balls(Method::overlap), stage).play();
   EXPECT_TRUE(stage.at(4.8).says("do_frame: ")) << stage.at(4.8).text;
   EXPECT_TRUE(stage.at(5.2).says("wall_computation: ")) << stage.at(5.2).text;
