@@ -9,6 +9,9 @@
 
 namespace carom::event {
 
+/// How far the middle of a circle is ahead of the ball, as a part of its radius.
+inline constexpr double kCircleAhead = 0.4;
+
 // The flight has just begun.
 template <class P>
 [[gnu::always_inline]] inline void DomainLoop<P>::fly_on(Slot i, Ticks now) {
@@ -89,12 +92,22 @@ Vec<double> DomainLoop<P>::velocity(Slot i, Ticks now) const {
   }
 }
 
+// Its circle lies ahead of the ball, the way it flies.
+template <class P>
+[[gnu::always_inline]] inline Vec<double> DomainLoop<P>::ahead(const Vec<double>& v) const {
+  const double square = v.x * v.x + v.y * v.y;
+  if (!(square > 0)) return {0, 0};
+  const double by = kCircleAhead * window_.skin / std::sqrt(square);
+  return {by * v.x, by * v.y};
+}
+
 template <class P>
 void DomainLoop<P>::choose_circle(Slot i, Ticks now) {
   const Vec<double> at = place(i, now);
+  const Vec<double> shift = ahead(velocity(i, now));
   Side& side = sides_[i];
-  side.x = at.x;
-  side.y = at.y;
+  side.x = at.x + shift.x;
+  side.y = at.y + shift.y;
   side.leaves = exit(i, now);
   look_for_walls(i);
 }

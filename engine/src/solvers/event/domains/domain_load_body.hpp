@@ -71,7 +71,7 @@ template <class P>
 template <class P>
 void DomainLoop<P>::load(Index memory, bool own) {
   const BlockFlight& flight = flights_[memory];
-  Loaded ball{path_at_start(flight), kNever, memory, 0, 0, own};
+  Loaded ball{path_at_start(flight), {0, 0}, kNever, memory, 0, 0, own};
   if (!own) {
     const std::array<double, 2> at{ball.path.x, ball.path.y};
     double distance = -1;
@@ -120,7 +120,9 @@ void DomainLoop<P>::sort_into_slots() {
   const auto n = static_cast<std::uint32_t>(loading_.size());
   ends_.assign(cells_.cells() + 1, 0);
   for (Loaded& ball : loading_) {
-    ball.cell = cells_.cell_at(ball.path.x, ball.path.y);
+    const Vec<double> shift = ahead({ball.path.vx, ball.path.vy});
+    ball.circle = {ball.path.x + shift.x, ball.path.y + shift.y};
+    ball.cell = cells_.cell_at(ball.circle.x, ball.circle.y);
     ++ends_[ball.cell + 1];
   }
   for (std::size_t c = 0; c < cells_.cells(); ++c) ends_[c + 1] += ends_[c];
@@ -148,21 +150,15 @@ void DomainLoop<P>::sort_into_slots() {
                  ball.distance};
     if (!spins_.empty()) spins_[k] = flight_spins_[ball.memory];
     if (mixed_) radii_[k] = r;
-    search_.set(k, ball.path.x, ball.path.y, r);
+    search_.set(k, ball.circle.x, ball.circle.y, r);
     if (r > normal_radius_) {
       large_.push_back(static_cast<Slot>(k));
     } else {
       cells_.add(static_cast<Slot>(k), ball.cell);
     }
-    side.x = ball.path.x;
-    side.y = ball.path.y;
-    side.leaves = never<double>();
-    if (bends_) {
-      side.leaves = exit(static_cast<Slot>(k), window_.from);
-    } else if (side.fixed == 0) {
-      const double square = disk.vx * disk.vx + disk.vy * disk.vy;
-      if (square > 0) side.leaves = window_.skin * (1 - 0x1p-20) / std::sqrt(square);
-    }
+    side.x = ball.circle.x;
+    side.y = ball.circle.y;
+    side.leaves = side.fixed != 0 ? never<double>() : exit(static_cast<Slot>(k), window_.from);
     look_for_walls(static_cast<Slot>(k));
   }
 }

@@ -116,6 +116,7 @@ class DomainLoop {
   };
   struct Loaded {
     Path path;
+    Vec<double> circle;  ///< its middle
     Ticks limit;
     Index memory;
     float distance;
@@ -144,6 +145,7 @@ class DomainLoop {
   void time_event(Slot i, Ticks now);
   void meet(Slot i, Slot j, Ticks now);
   void fly_on(Slot i, Ticks now);
+  [[nodiscard]] Vec<double> ahead(const Vec<double>& v) const;
   void choose_circle(Slot i, Ticks now);
   void renew(Slot i, Ticks now);
   [[nodiscard]] double exit(Slot i, Ticks now) const;
