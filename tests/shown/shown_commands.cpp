@@ -26,7 +26,8 @@ std::string printed(std::string line) {
 /// Collects the commands of one block.
 class Block {
  public:
-  Block(std::vector<Command>& commands, bool slow) : commands_(commands), slow_(slow) {}
+  Block(std::vector<Command>& commands, std::string mark)
+      : commands_(commands), mark_(std::move(mark)) {}
 
   void add(std::size_t number, const std::string& line, bool bare) {
     if (continued_ || !end_.empty()) {
@@ -34,7 +35,7 @@ class Block {
       if (line == end_) end_.clear();
     } else if (line.starts_with("$ ") || (bare && line.starts_with("carom "))) {
       const bool prompted = line.starts_with('$');
-      commands_.push_back({number, line.substr(prompted ? 2 : 0), prompted, {}, slow_});
+      commands_.push_back({number, line.substr(prompted ? 2 : 0), prompted, {}, mark_});
       mine_ = true;
     } else {
       if (mine_) commands_.back().output.push_back(line);
@@ -48,7 +49,7 @@ class Block {
 
  private:
   std::vector<Command>& commands_;
-  bool slow_;
+  std::string mark_;
   bool mine_ = false;  // the last command is of this block
   std::string end_;    // the last line of a text that the command reads
   bool continued_ = false;
@@ -75,7 +76,7 @@ std::vector<Command> commands_in(const std::filesystem::path& page) {
     } else if (block) {
       block->add(k + 1, markdown ? line : printed(line), !markdown);
     } else if (markdown ? line.starts_with("```console") : line.starts_with(".Bd -literal")) {
-      block.emplace(commands, line == "```console slow");
+      block.emplace(commands, line.starts_with("```console ") ? line.substr(11) : "");
     }
   }
   return commands;

@@ -12,12 +12,12 @@ struct Command {
   std::string text;      ///< without the prompt
   bool with_output = false;
   std::vector<std::string> output;
-  bool slow = false;  ///< takes minutes
+  std::string mark;  ///< what its block is marked with after "console"; may be empty
 };
 
-/// The commands of a page: of a Markdown page those after "$ " in blocks marked console, or console
-/// slow; of a manual page those of literal blocks after "$ ", and the lines there that begin with
-/// the program's name, whose output is not shown.
+/// The commands of a page: of a Markdown page those after "$ " in blocks marked console; of a
+/// manual page those of literal blocks after "$ ", and the lines there that begin with the
+/// program's name, whose output is not shown.
 std::vector<Command> commands_in(const std::filesystem::path& page);
 
 /// A line without what a machine or a moment decides: numbers, units of time, spaces and the marks
