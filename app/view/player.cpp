@@ -162,7 +162,8 @@ void Player::compute() {
     // Nothing known of the cost yet: a step at a time.
     const double affordable =
         slice_cost_ > 0 ? kSliceShare * Real(limit - now).count() / slice_cost_ : 0;
-    const double slice = std::min(left, std::max(session_->simulation().step(), affordable));
+    const double shortest = std::max(session_->simulation().step(), slice_length_.shortest());
+    const double slice = std::min(left, std::max(shortest, affordable));
     if (single_ > 0) {
       session_->nudge(slice);
       left = single_ = slice < left ? left - slice : 0;
@@ -178,6 +179,7 @@ void Player::compute() {
       const Instant without = std::exchange(now, interface_.now());
       beside += now - without;
     }
+    if (moves) slice_length_.note(slice, Real(now - then).count(), Real(limit - start).count());
     if (moves) slice_cost_ = std::max(0.9 * slice_cost_, Real(now - then).count() / slice);
   }
   if (moves) note_frame(now);

@@ -23,6 +23,7 @@
 #include "view/scrub_bar.hpp"
 #include "view/selection_panel.hpp"
 #include "view/settings.hpp"
+#include "view/slice_length.hpp"
 #include "view/threads_watch.hpp"
 #include "view/trails.hpp"
 #include "view/user_interface.hpp"
@@ -138,8 +139,9 @@ class Player {
   Presses presses_;
   Drawing drawing_;
 
-  double speed_ = 1;       // simulated seconds per real one
-  double single_ = 0;      // simulated seconds still to go of single frames asked for
+  double speed_ = 1;   // simulated seconds per real one
+  double single_ = 0;  // simulated seconds still to go of single frames asked for
+  SliceLength slice_length_;
   double slice_cost_ = 0;  // real seconds per simulated second, as last seen
   std::chrono::duration<double> computing_{0};
   int help_page_ = -1;       // no help
