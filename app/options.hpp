@@ -57,8 +57,8 @@ struct Options {
   // play
   std::string record;
   std::string log;
-  std::string glyphs = "ascii";
-  std::uint64_t fps = 30;
+  std::string glyphs;                ///< empty: of the settings file
+  std::optional<std::uint64_t> fps;  ///< of the screen
   bool no_mouse = false;
 
   // accuracy, which takes the time of run too

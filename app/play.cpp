@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -13,9 +14,11 @@
 #include "export/unfinished_files.hpp"
 #include "load_scene.hpp"
 #include "one_file.hpp"
+#include "scene_files.hpp"
 #include "standard_streams.hpp"
 #include "view/player.hpp"
 #include "view/recorder.hpp"
+#include "view/settings_file.hpp"
 #include "view/signals.hpp"
 #include "view/terminal_info.hpp"
 #include "view/terminal_screen.hpp"
@@ -23,6 +26,7 @@
 namespace carom {
 namespace {
 
+constexpr const char* kBuiltIn = "break";
 constexpr int kEndedBySignal = 128;  // as a shell tells it
 constexpr const char* kInstead = "; 'carom run SCENE' needs no terminal";
 
@@ -32,12 +36,37 @@ bool colors_wanted(const Options& options) {
   return !options.no_color && (refused == nullptr || *refused == '\0');
 }
 
-Settings settings_of(const Options& options, Palette palette) {
+/// The file's, where the command line says nothing.
+Settings settings_of(const Options& options, const StoredSettings& stored, Palette palette) {
   Settings settings;
   settings.palette = palette;
-  settings.glyphs = glyphs_named(options.glyphs).value_or(settings.glyphs);
-  settings.frames_per_second = static_cast<int>(options.fps);
+  settings.glyphs = stored.glyphs.value_or(settings.glyphs);
+  if (const auto named = glyphs_named(options.glyphs)) settings.glyphs = *named;
+  settings.frames_per_second = stored.fps.value_or(settings.frames_per_second);
+  if (options.fps) settings.frames_per_second = static_cast<int>(*options.fps);
+  settings.library.names = scene_names();
+  settings.library.load = [](const std::string& name) { return read_scene(find_scene(name)); };
+  settings.scene = options.scenes.empty() ? kBuiltIn : options.scenes.front();
+  settings.folder.assign(1, '.');  // the current one
   return settings;
+}
+
+StoredSettings stored_settings() {
+  try {
+    return read_settings(settings_file());
+  } catch (const std::runtime_error& error) {
+    throw UsageError(error.what());
+  }
+}
+
+/// What a key chose is the default from now on.
+void remember(const std::optional<Glyphs>& chosen) {
+  if (!chosen) return;
+  try {
+    remember_glyphs(settings_file(), *chosen);
+  } catch (const std::exception& error) {
+    print_error_line(std::string("the glyphs are not remembered: ") + error.what());
+  }
 }
 
 void require_terminal() {
@@ -83,6 +112,7 @@ int play(const Options& options) {
   const bool builtin = options.scenes.empty();
   if (!builtin && options.scenes.front() == "-")
     throw UsageError("play reads keys from standard input: give the scene as a file");
+  const StoredSettings stored = stored_settings();
   Scene scene = builtin ? load_builtin_scene(options) : load_scene(options.scenes.front(), options);
   scene.played = true;
   require_terminal();
@@ -93,24 +123,28 @@ int play(const Options& options) {
 
   TerminalScreen::Options how;
   how.colors = colors_wanted(options);
-  how.mouse = !options.no_mouse;
+  how.mouse = !options.no_mouse && stored.mouse.value_or(true);
+  how.background = stored.palette.value_or(how.background);
   const Palette palette(how.colors ? info.colors : Colors::none, how.background);
 
   Signals signals;  // before any worker starts
   const std::unique_ptr<Outputs> outputs = open_outputs(options, palette);
   std::string summary;
   std::string error;
+  std::optional<Glyphs> chosen;
   int signal = 0;
   {
     TerminalScreen screen(signals, info, how);
-    Player player(scene, screen, settings_of(options, palette));
+    Player player(scene, screen, settings_of(options, stored, palette));
     player.record(std::move(outputs->record));
     signal = player.play();
     summary = player.summary();
     error = player.recording_error();
+    chosen = player.chosen_glyphs();
     if (outputs->log) outputs->log.write(write_scene(player.session().log()));
   }
   outputs->log.commit();
+  remember(chosen);
   if (signal != SIGHUP) print("carom: " + summary + '\n');
   if (!error.empty()) throw std::runtime_error(error);
   return signal == 0 ? 0 : kEndedBySignal + signal;

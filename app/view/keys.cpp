@@ -32,6 +32,7 @@ std::vector<KeyHint> key_hints(int width, bool paused, std::string_view effects)
       {'e', "e:cost", 11},
       {'l', "l:threads", 10},
       {'h', "h:instruments", 12},
+      {'\t', "Tab:scenes", 13},
       {0, fmt::format("{}:on/off", effects), 6, !effects.empty()},
       {'?', "?:help", 1},
       {'q', "q:quit", 0},

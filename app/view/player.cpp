@@ -32,6 +32,7 @@ Player::Player(Scene scene, UserInterface& interface, const Settings& settings)
              interface.now()),
       piles_up_(choose_method(scene_).piles_up) {
   drawing_.glyphs = interface.unicode() ? settings.glyphs : Glyphs::ascii;
+  scene_name_ = settings_.scene;
   session_ = std::make_unique<Session>(scene_);
   history_.begin(*session_, interface_.now());
 }
@@ -67,7 +68,7 @@ std::string Player::title() const {
 }
 
 bool Player::idle() const {
-  return session_->stuck() && single_ == 0 && !seek_ && !changed_ && presses_.empty();
+  return session_->stuck() && single_ == 0 && !seek_ && !picker_ && !changed_ && presses_.empty();
 }
 
 double Player::frame_seconds() const {
@@ -92,13 +93,13 @@ void Player::receive(const Event& event) {
   changed_ = true;
   switch (event.kind) {
     case Event::Kind::key: {
-      const bool help = help_page_ >= 0 || help_waits_;
-      if (event.value == 'q' && !help) {
+      const bool page = help_page_ >= 0 || picker_ || page_waits_;
+      if (event.value == 'q' && !page) {
         quit_ = true;
-      } else if ((event.value == ' ' || event.value == 'p') && !help) {
+      } else if ((event.value == ' ' || event.value == 'p') && !page) {
         pause_or_go_on();
       } else {
-        help_waits_ = help_waits_ || event.value == '?';
+        page_waits_ = page_waits_ || event.value == '?' || event.value == key::kTab;
         presses_.add(event);
       }
       return;
@@ -139,13 +140,18 @@ void Player::act() {
     }
     changed_ = true;
   } while (!quit_ && interface_.now() < limit);
-  if (presses_.empty()) help_waits_ = false;
+  if (presses_.empty()) page_waits_ = false;
 }
 
 /// Moves the simulation on by what a frame wants, as far as the time for a frame reaches.
 void Player::compute() {
   const Instant start = interface_.now();
   const Instant limit = start + whole(kShare * Real(timer_.period()));
+  if (picker_) {
+    picker_->move_preview(interface_, frame_seconds() / speed_, limit);
+    changed_ = true;
+    return;
+  }
   if (move_in_the_past(limit)) {
     calls_ = 1;
     if (!seek_) note_frame(interface_.now());

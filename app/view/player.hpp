@@ -52,6 +52,8 @@ class Player {
   /// The run in one line.
   [[nodiscard]] std::string summary() const;
   [[nodiscard]] const Session& session() const { return *session_; }
+  /// The glyphs that a key chose.
+  [[nodiscard]] std::optional<Glyphs> chosen_glyphs() const { return chosen_glyphs_; }
   /// Why the recording failed; empty: it did not.
   [[nodiscard]] const std::string& recording_error() const { return recording_error_; }
 
@@ -90,6 +92,14 @@ class Player {
   void zoom(double factor);
   void move_view(double columns, double rows);
   void restart();
+  void begin_again();  ///< what has gone before does not count
+
+  // Scenes and recordings.
+  bool press_for_scenes(int key);
+  void press_in_picker(int key, int times);
+  void open_scene(const std::string& name);
+  void save_scene();
+  void toggle_recording();
 
   // Time back.
   bool press_for_time(int key, int times);
@@ -103,6 +113,7 @@ class Player {
   void use_mouse(const Mouse& mouse);
   void press_button(int column, int row);
   void scrub(int column);
+  void use_mouse_in_picker(const Mouse& mouse);
   void throw_ball();
   [[nodiscard]] Camera camera() const;  ///< of the balls, as they are shown
 
@@ -145,13 +156,16 @@ class Player {
   double slice_cost_ = 0;  // real seconds per simulated second, as last seen
   std::chrono::duration<double> computing_{0};
   int help_page_ = -1;       // no help
-  bool help_waits_ = false;  // a key that opens it waits
+  bool page_waits_ = false;  // a key waits that opens the help or the list of scenes
   std::uint64_t added_ = 0;
 
   bool cost_shown_ = false;
   std::optional<ReferenceRun> reference_;
   std::chrono::duration<double> reference_cost_{0};  // of a frame, smoothed
 
+  std::optional<ScenePicker> picker_;  // the scene waits meanwhile
+  std::string scene_name_;             // as the library has it; empty: another one
+  std::optional<Glyphs> chosen_glyphs_;
   std::optional<double> seek_;           // a moment of the past that is on its way
   bool scrubbing_ = false;               // the button went down on the bar of time
   std::optional<Aim> aim_;               // the button is down

@@ -29,8 +29,9 @@ double power(double base, int times) {
 }  // namespace
 
 void Player::press(int key, int times) {
+  if (picker_) return press_in_picker(key, times);
   if (help_page_ >= 0 && press_in_help(key, times)) return;
-  if (press_for_selected(key, times) || press_for_time(key, times)) return;
+  if (press_for_selected(key, times) || press_for_time(key, times) || press_for_scenes(key)) return;
   const bool odd = times % 2 != 0;
   switch (key) {
     case ' ':
@@ -283,6 +284,7 @@ void Player::next_glyphs() {
   drawing_.glyphs = drawing_.glyphs == Glyphs::ascii    ? Glyphs::blocks
                     : drawing_.glyphs == Glyphs::blocks ? Glyphs::braille
                                                         : Glyphs::ascii;
+  chosen_glyphs_ = drawing_.glyphs;
   say(fmt::format("glyphs {}", name_of(drawing_.glyphs)));
 }
 
@@ -307,6 +309,12 @@ void Player::restart() {
   select({});
   session_.reset();  // its threads end before as many start again
   session_ = std::make_unique<Session>(scene_);
+  begin_again();
+  if (compared) begin_reference();
+  say(reference_ ? "restarted; the comparison starts again" : "restarted");
+}
+
+void Player::begin_again() {
   history_.begin(*session_, interface_.now());
   seek_.reset();
   added_ = 0;
@@ -315,10 +323,8 @@ void Player::restart() {
   meter_.reset();
   energy_due_ = interface_.now();
   timer_.restart(interface_.now());
-  if (compared) begin_reference();
   if (instruments_.open())
     instruments_.begin_again(session_->simulation(), history_.measured(*session_));
-  say(reference_ ? "restarted; the comparison starts again" : "restarted");
 }
 
 }  // namespace carom

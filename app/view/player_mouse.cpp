@@ -27,6 +27,7 @@ Camera Player::camera() const {
 
 void Player::use_mouse(const Mouse& mouse) {
   const UserInterface::Size size = box_size();
+  if (picker_) return use_mouse_in_picker(mouse);
   const bool inside = mouse.column < size.columns && mouse.row < size.rows;
   switch (mouse.action) {
     case Mouse::Action::wheel_up:
@@ -55,6 +56,26 @@ void Player::use_mouse(const Mouse& mouse) {
       aim_->to_row = mouse.row;
       throw_ball();
       aim_.reset();
+      return;
+  }
+}
+
+void Player::use_mouse_in_picker(const Mouse& mouse) {
+  const UserInterface::Size size = interface_.size();
+  switch (mouse.action) {
+    case Mouse::Action::wheel_up:
+      return picker_->move(-1);
+    case Mouse::Action::wheel_down:
+      return picker_->move(1);
+    case Mouse::Action::press: {
+      const std::string before = picker_->chosen();
+      const int rows = size.rows - lines_below(size.rows);
+      const bool again = picker_->choose_at(mouse.column, mouse.row, size.columns, rows) &&
+                         picker_->chosen() == before;
+      if (again) open_scene(before);
+      return;
+    }
+    default:
       return;
   }
 }

@@ -21,6 +21,7 @@ constexpr double kFallsBehind = 0.95;  // of the speed wanted; below, the status
 constexpr int kDoubleDigits = 16;
 constexpr int kLeastColumns = 20;
 constexpr int kLeastRows = 8;
+constexpr const char* kPickerKeys = " arrows or a letter: choose  Enter: play it  Esc: back";
 constexpr int kRowsForHints = 12;  // screens this high have a second line below
 
 }  // namespace
@@ -98,6 +99,7 @@ void Player::paint_box(Canvas& box) const {
 }
 
 Canvas Player::picture(int columns, int rows) {
+  if (picker_) return picker_->picture(columns, rows, drawing_.glyphs);
   Canvas picture(columns, rows);
   const Docks places = docks(columns, rows);
   Canvas box(places.box.columns, places.box.rows);
@@ -137,7 +139,7 @@ Canvas Player::picture(int columns, int rows) {
 void Player::paint_lines_below(Canvas& screen, int first) {
   const Simulation& simulation = session_->simulation();
   const Instant now = interface_.now();
-  const bool running = !session_->paused();
+  const bool running = !session_->paused() && !picker_;
   if (now >= energy_due_ || !running) {
     energy_error_ = history_.measured(*session_).relative_energy_error();
     energy_due_ = now + kEnergyEvery;
@@ -158,6 +160,7 @@ void Player::paint_lines_below(Canvas& screen, int first) {
   status.computing_milliseconds = running ? meter_.computing_milliseconds() : 0;
   status.energy_error = energy_error_;
   if (piles_up_) status.note = std::string("overlap: ") + kPilesUp;
+  if (recorder_) status.note = "recording";
   status.late = timer_.late();
   status.speed = speed_;
   status.paused = !running;
@@ -168,7 +171,9 @@ void Player::paint_lines_below(Canvas& screen, int first) {
   if (two || notice_.empty())
     screen.write(0, first, status_line(status, screen.columns), Ink::status);
   const int last = screen.rows - 1;
-  if (!notice_.empty()) {
+  if (picker_ && notice_.empty()) {
+    screen.write(0, last, kPickerKeys, Ink::notice);
+  } else if (!notice_.empty()) {
     screen.write(0, last, ' ' + notice_, Ink::notice);
   } else if (two) {
     screen.write(0, last,

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <string>
+
 #include "view/glyphs.hpp"
 #include "view/palette.hpp"
+#include "view/scene_picker.hpp"
 
 namespace carom {
 
@@ -13,6 +16,9 @@ struct Settings {
   Glyphs glyphs = Glyphs::ascii;
   int frames_per_second = 30;
   Palette palette{Colors::none, Background::any};  ///< of recordings: that of the terminal
+  SceneLibrary library;  ///< the scenes that a key offers; none: there are none
+  std::string scene;     ///< the one that is played, as they call it
+  std::string folder;    ///< where keys write files; empty: nowhere
 };
 
 }  // namespace carom

@@ -202,6 +202,7 @@ TEST(Play, StopsAtTheStopKeyAndGoesOnWhereItWas) {
     EXPECT_GE(after, stopped);
     EXPECT_LT(after, stopped + 2) << "the time it was stopped has passed in the scene";
     EXPECT_TRUE(terminal.mode_on("2004"));
+    EXPECT_TRUE(terminal.mode_on("1002"));
   }
   terminal.type("q");
   EXPECT_EQ(terminal.wait_for_end(), 0);
@@ -228,6 +229,7 @@ TEST_P(EndedBySignal, GivesTheTerminalBackAndTellsTheSignal) {
   const SceneFile scene(kThreeBalls);
   Terminal terminal({scene.path()});
   ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  for (const char* const mode : {"1002", "1006", "2004"}) ASSERT_TRUE(terminal.mode_on(mode));
   if (GetParam() == SIGINT) {
     terminal.type("\x03");  // ^C
   } else {
@@ -250,6 +252,7 @@ TEST_P(Crash, GivesTheTerminalBack) {
   const SceneFile scene(kThreeBalls);
   Terminal terminal({scene.path()});
   ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
+  for (const char* const mode : {"1002", "1006", "2004"}) ASSERT_TRUE(terminal.mode_on(mode));
   ASSERT_FALSE(terminal.given_back());
   terminal.signal(GetParam());
   EXPECT_EQ(terminal.wait_for_end(), Terminal::kKilled + GetParam());

@@ -94,7 +94,9 @@ TEST(Failure, InAWorkerGivesTheTerminalBackAndIsTold) {
   Terminal terminal([] {
     try {
       Signals signals;
-      TerminalScreen screen(signals, load_terminal_info(), {});
+      TerminalScreen::Options how;
+      how.mouse = true;
+      TerminalScreen screen(signals, load_terminal_info(), how);
       Canvas canvas(screen.size().columns, screen.size().rows);
       canvas.write(0, 0, "playing", Ink::status);
       screen.show(canvas);
@@ -113,6 +115,7 @@ TEST(Failure, InAWorkerGivesTheTerminalBackAndIsTold) {
   });
   ASSERT_TRUE(terminal.wait_for("playing")) << terminal.text();
   EXPECT_TRUE(terminal.alternate_screen());
+  EXPECT_TRUE(terminal.mode_on("1002"));
   terminal.type("x");
   EXPECT_EQ(terminal.wait_for_end(), 1);
   EXPECT_TRUE(terminal.given_back());

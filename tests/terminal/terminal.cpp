@@ -15,6 +15,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "support/process.hpp"
+
 namespace carom::test {
 namespace {
 
@@ -47,7 +49,14 @@ constexpr std::chrono::seconds kLong{30};  // a loaded machine, with sanitizers
   _exit(200);
 }
 
-int run_carom(const std::vector<std::string>& arguments,
+/// Where there are no settings of a person, and those of a test may be written.
+const std::string& settings_folder() {
+  static const support::TemporaryFolder kFolder;
+  static const std::string kName = kFolder.path().string();
+  return kName;
+}
+
+int run_carom(const std::vector<std::string>& arguments, const std::string& folder,
               const std::vector<std::string>& environment) {
   std::vector<char*> words;
   std::string program = CAROM_PROGRAM;
@@ -58,6 +67,8 @@ int run_carom(const std::vector<std::string>& arguments,
   for (const char* const name :
        {"TERM", "NO_COLOR", "COLORTERM", "LANG", "LC_ALL", "LINES", "COLUMNS"})
     unsetenv(name);
+  setenv("XDG_CONFIG_HOME", settings_folder().c_str(), 1);
+  if (!folder.empty() && chdir(folder.c_str()) != 0) return 125;
   for (const std::string& setting : environment) {
     const auto equals = setting.find('=');
     setenv(setting.substr(0, equals).c_str(), setting.substr(equals + 1).c_str(), 1);
@@ -71,7 +82,8 @@ int run_carom(const std::vector<std::string>& arguments,
 Terminal::Terminal(const std::vector<std::string>& arguments) : Terminal(arguments, Settings()) {}
 
 Terminal::Terminal(const std::vector<std::string>& arguments, const Settings& settings) {
-  start([&] { return run_carom(arguments, settings.environment); }, settings);
+  (void)settings_folder();  // of this process, not of the one that starts the program
+  start([&] { return run_carom(arguments, settings.folder, settings.environment); }, settings);
 }
 
 Terminal::Terminal(const std::function<int()>& program) {

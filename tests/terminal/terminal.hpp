@@ -20,6 +20,7 @@ class Terminal {
   struct Settings {
     int columns = 80;
     int rows = 24;
+    std::string folder;  ///< that the program is started in; empty: this one
     std::vector<std::string> environment{"TERM=xterm-256color", "LANG=C.UTF-8"};
   };
   using Condition = std::function<bool(const Terminal&)>;
