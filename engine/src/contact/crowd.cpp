@@ -16,6 +16,8 @@ namespace {
 /// How far contacts give way to an impulse, as a part of how their bodies do: it makes the loads of
 /// crowds with more contacts than freedoms definite.
 constexpr double kGive = 0x1p-24;
+/// How often what they gave way is taken back: at most.
+constexpr int kMostRefinements = 64;
 constexpr int kMostDescents = 1000;
 /// How often the slip is looked at again, with what its contacts carry then.
 constexpr int kSlides = 3;
@@ -100,7 +102,8 @@ Crowd::Crowd(const Bodies& bodies, const Contacts& contacts) : contacts_(contact
   edges_ = rubs ? 2 * size_ : size_;
   totals_.resize(inverse_mass_.size());
   for (Column* column : {&push_x_, &push_y_, &push_turning_}) column->assign(size_, 0);
-  for (Column* column : {&start_, &parting_, &impulses_, &slope_, &way_, &free_, &change_}) {
+  for (Column* column :
+       {&start_, &parting_, &impulses_, &anchor_, &slope_, &way_, &free_, &change_}) {
     column->assign(edges_, 0);
   }
   scale();
@@ -235,7 +238,25 @@ void Crowd::expand(double room) {
   }
 }
 
+// Contacts give way from where the last solution left them (proximal point method), so that in the
+// end they give way to nothing, however heavy what they carry is.
 void Crowd::solve(double goal) {
+  std::fill(anchor_.begin(), anchor_.end(), 0);
+  for (int round = 0; round < kMostRefinements; ++round) {
+    descend(goal);
+    Lanes most{};
+    for (std::size_t k = 0; k < edges_; k += kLanes) {
+      most = larger_of(most, size_of(give_ * (lanes(&impulses_[k]) - lanes(&anchor_[k]))));
+    }
+    if (!(largest(most) > goal / 4)) return;
+    for (std::size_t k = 0; k < edges_; k += kLanes) {
+      lanes(&parting_[k]) -= give_ * (lanes(&impulses_[k]) - lanes(&anchor_[k]));
+      lanes(&anchor_[k]) = lanes(&impulses_[k]);
+    }
+  }
+}
+
+void Crowd::descend(double goal) {
   const double to_bound = 1 / step_;
   times(impulses_.data(), slope_.data());
   const auto onto = [this](std::size_t k) {

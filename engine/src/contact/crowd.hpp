@@ -60,6 +60,7 @@ class Crowd {
 
   void scale();
   void solve(double goal);
+  void descend(double goal);
   void close_slides(double goal);
   void times(const double* impulses, double* result);
   void pass_on(const double* impulses);
@@ -78,7 +79,7 @@ class Crowd {
   double most_at_body_ = 0;
   std::vector<Total> totals_;
   mutable Column push_x_, push_y_, push_turning_;
-  Column start_, parting_, impulses_, slope_, way_, free_, change_;
+  Column start_, parting_, impulses_, anchor_, slope_, way_, free_, change_;
 };
 
 }  // namespace carom::event

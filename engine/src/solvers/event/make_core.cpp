@@ -14,6 +14,16 @@ namespace {
 
 constexpr int kDigitsOfDouble = 16;
 
+/// Whether a ball that lies still touches a fixed one.
+bool touches_fixed(const Ball& ball, const std::vector<Ball>& balls, const Domain& domain) {
+  if (ball.fixed || ball.velocity != Vec2(0, 0)) return false;
+  return std::any_of(balls.begin(), balls.end(), [&](const Ball& other) {
+    if (!other.fixed) return false;
+    const double reach = ball.radius + other.radius;
+    return nearest_image(other.position - ball.position, domain).squaredNorm() <= reach * reach;
+  });
+}
+
 }  // namespace
 
 bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
@@ -35,6 +45,7 @@ bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
            domain.lowest(axis, ball.radius) == domain.highest(axis, ball.radius);
   };
   return std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
+    if (scene.effects.collisions && touches_fixed(ball, balls, domain)) return true;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const double x = ball.position[axis];
       if (domain.solid(axis) && lies(ball, axis) &&

@@ -136,17 +136,20 @@ bool Motion<P>::squeezed(const Disk& a, const Disk& b, At now) const requires kC
   const bool loses = rules_.restitution < 1 || lies_on_something(a) || lies_on_something(b);
   const bool on_fixed = fixed(a) || fixed(b);
   const S reach = kind(a).radius + kind(b).radius;
-  const S part = loses || on_fixed ? kShortly : kBriefly;
+  const auto both = [&](double part, const S& speed) {
+    return just_hit(a, reach, speed, now, S(part)) && just_hit(b, reach, speed, now, S(part));
+  };
   const S still = 0;  // most have not been hit of late, whatever their speed
-  if (!just_hit(a, reach, still, now, part) || !just_hit(b, reach, still, now, part)) return false;
+  if (!both(loses || on_fixed ? kShortly : kBriefly, still)) return false;
   const Vec<S> v = velocity(b, now) - velocity(a, now);
   const S speed = -sharp_dot(way(place(a, now), place(b, now)), v) / reach;
-  if (!just_hit(a, reach, speed, now, part) || !just_hit(b, reach, speed, now, part)) return false;
-  if (loses) return true;
+  if (loses) return both(kShortly, speed);
   // Elastic ones that touch pass a blow on within an instant.
   if (a.start == now || b.start == now) return false;
-  if (on_fixed) return rules_.drag_rate > 0 && speed * speed <= part * part * reach * pull_;
-  return (rules_.drag_rate > 0 || rules_.wall_restitution < 1) &&
+  if (on_fixed && rules_.drag_rate > 0 && speed * speed <= S(kShortly * kShortly) * reach * pull_) {
+    return both(kShortly, speed);
+  }
+  return both(kBriefly, speed) && (rules_.drag_rate > 0 || rules_.wall_restitution < 1) &&
          (is_at_wall(a, now) || is_at_wall(b, now));
 }
 
