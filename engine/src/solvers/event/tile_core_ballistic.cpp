@@ -1,4 +1,3 @@
 #include "solvers/event/compiled.hpp"
 
 CAROM_COMPILE_EVENT(Ballistic)
-

@@ -24,7 +24,8 @@ class BucketQueue {
  public:
   static constexpr std::uint32_t kMostBuckets = 0xfff0;
 
-  /// Empties it.  REQUIRES: `window` > 0.
+  /// Empties it.
+  /// REQUIRES: `window` > 0.
   void reset(std::size_t balls, Ticks window) {
     const auto buckets =
         static_cast<std::uint32_t>(std::clamp<std::size_t>(balls, 16, kMostBuckets));
