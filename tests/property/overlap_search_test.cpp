@@ -44,6 +44,15 @@ TEST(OverlapSearch, SaysWhatAllPairsSay) {
       ball.radius = touching ? radius : radius * random.between(0.2, 1);
       ball.fixed = random.below(4) == 0;
     }
+    // In half of the scenes all are far apart, but for two that may just meet, in any direction.
+    if (!touching && seed % 2 == 0) {
+      balls.resize(4);
+      for (std::size_t i = 0; i < 3; ++i)
+        balls[i].position = box.lower() + static_cast<double>(i) / 3 * box.size();
+      const double angle = random.angle();
+      const double way = (balls[1].radius + balls[3].radius) * random.between(0.9, 1.1);
+      balls[3].position = balls[1].position + way * Vec2{std::cos(angle), std::sin(angle)};
+    }
     const bool expected = overlap_of_all_pairs(box, balls);
     (expected ? overlapping : apart) += 1;
     ASSERT_EQ(scene::may_overlap(box, balls), expected) << "seed " << seed;
