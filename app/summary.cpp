@@ -69,6 +69,7 @@ std::string to_summary(const Report& report) {
   text += row("energy", energy(measured));
   text += row("energy error", fmt::format("{:.2e} relative", measured.relative_energy_error()));
   text += row("max overlap", fmt::format("{:.2e} of the smaller radius", measured.max_overlap));
+  if (!report.warning.empty()) text += row("warning", report.warning);
   if (measured.missed_hits > 0) {
     text += row("missed hits", fmt::format("{} or more: balls passed through each other between "
                                            "two steps, take a smaller one",

@@ -4,8 +4,8 @@
 #include <numeric>
 #include <vector>
 
-#include "contact/equilibrium.hpp"
 #include "contact/island.hpp"
+#include "support/island_equilibrium.hpp"
 
 namespace carom::contact {
 namespace {

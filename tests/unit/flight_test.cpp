@@ -4,7 +4,6 @@
 
 #include "effects/drag.hpp"
 #include "effects/gravity.hpp"
-#include "effects/rest.hpp"
 #include "effects/walls.hpp"
 
 namespace carom {
@@ -31,8 +30,7 @@ Outcome fly(double position, double velocity, double acceleration, double step,
   straight(flight);
   if (acceleration != 0) effects::gravity(flight);
   land(flight);
-  const effects::WallRule rule{restitution, acceleration,
-                               effects::rest_speed(acceleration, step, restitution)};
+  const effects::WallRule rule{restitution, acceleration};
   const std::uint64_t impacts = effects::walls(flight, domain, rule);
   return {flight.moved[0], flight.after[0], impacts};
 }
@@ -57,13 +55,6 @@ TEST(Walls, AreMetWithTheSpeedThatEnergyGivesThere) {
   const Outcome outcome = fly(1.5, 0, -9.81, 1, 1);
   EXPECT_EQ(outcome.position, 0.5);
   EXPECT_NEAR(outcome.velocity, std::sqrt(2 * 9.81), 1e-15);
-}
-
-TEST(Walls, LetABallThatRestsLieStill) {
-  const Outcome outcome = fly(0.5, 0, -9.81, 1.0 / 240, 0.9);
-  EXPECT_EQ(outcome.position, 0.5);
-  EXPECT_EQ(outcome.velocity, 0);
-  EXPECT_EQ(outcome.impacts, 0U);
 }
 
 TEST(Walls, GiveBackTheSmallestHopWhereNothingIsLost) {

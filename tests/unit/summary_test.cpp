@@ -38,6 +38,14 @@ TEST(Summary, SaysWhyOverlapWasChosenForAPile) {
   EXPECT_TRUE(says(report, kPilesUp));
 }
 
+// Seen to fail: without the row.
+TEST(Summary, PassesOnTheWarning) {
+  Report report = run_of(1, 0, 0);
+  EXPECT_FALSE(says(report, "warning"));
+  report.warning = "balls overlapped";
+  EXPECT_TRUE(says(report, "warning                    balls overlapped"));
+}
+
 // What impacts take is no error.
 TEST(Summary, BooksLosses) {
   Report report = run_of(1, 0, 0);

@@ -25,6 +25,7 @@ struct Report {
   std::uint64_t seed = 0;
   bool spin = false;  ///< the scene has friction, and its balls spin
   Measurements measurements;
+  std::string warning;  ///< of what makes the run less right than it could be; empty: nothing
   std::string state_hash;
   std::size_t balls = 0;
 };

@@ -18,7 +18,6 @@ constexpr double kSlip = 0x1p-5;
 constexpr double kSlipChange = 0x1p-4;  // how exactly a slip is known
 constexpr int kSlipRounds = 2;
 constexpr int kBounceRounds = 4;
-constexpr int kHalvings = 40;
 
 Vec2 across(const Vec2& normal) {
   return {-normal.y(), normal.x()};
@@ -99,8 +98,8 @@ void IslandStep::pose(Work<D>& work, const Island& island, const std::vector<cha
   problem.inverse_mass.clear();
   for (const IslandBody& body : island.bodies) {
     const double inverse = body.inverse_mass * island.mass_unit;
-    problem.inverse_mass.push_back(inverse);
-    problem.inverse_mass.push_back(inverse);
+    problem.inverse_mass.push_back(island.rule.fading * inverse);
+    problem.inverse_mass.push_back(island.rule.fading * inverse);
     if (D == 3) problem.inverse_mass.push_back(2 * inverse);
   }
   problem.rows.clear();
@@ -165,8 +164,12 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
 template <int D>
 bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<char>& bounced,
                        IslandOutcome& outcome) {
-  std::vector<double> slip(island.contacts.size(), 0.0);
-  if (D == 2) return solve(work, island, bounced, slip, outcome);
+  std::vector<double>& slip = work.slips;
+  const bool first = std::none_of(bounced.begin(), bounced.end(), [](char b) { return b != 0; });
+  if (D == 2) {
+    if (first) slip.assign(island.contacts.size(), 0.0);
+    return solve(work, island, bounced, slip, outcome);
+  }
   // Slower than this is sticking.
   const double sticks = kSlip * island.rule.speed;
   const auto slips = [&](std::size_t k, const auto& motion) {
@@ -180,9 +183,8 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
   const auto after = [&](int i) -> SurfaceMotion {
     return {outcome.after[at(i)], outcome.turning[at(i)]};
   };
-  for (std::size_t k = 0; k < slip.size(); ++k) {
-    slip[k] = slips(k, before);
-  }
+  if (first) slip.assign(island.contacts.size(), 0.0);
+  for (std::size_t k = 0; k < slip.size() && first; ++k) slip[k] = slips(k, before);
   bool solved = false;
   for (int round = 0; round < kSlipRounds; ++round) {
     solved = solve(work, island, bounced, slip, outcome);
@@ -195,8 +197,9 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
     }
     if (!changes) break;
   }
-  // Where a slip was taken for more than it is the contact closes: without it, it cannot.
-  for (int round = 0; round < 2; ++round) {
+  // Where a slip was taken for more than it is the contact closes: without it, it cannot.  By the
+  // velocities after bounces no ball has moved yet.
+  for (int round = 0; first && round < 2; ++round) {
     bool closes = false;
     for (std::size_t k = 0; k < slip.size(); ++k) {
       const IslandContact& c = island.contacts[k];
@@ -264,8 +267,8 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
   keep_apart(island, plastic.after, outcome.mean);
   if (any) {
     hold_energy(island, plastic, outcome);
-  } else if (gain(bodies, outcome, rule) > kRounding * energy_scale(bodies, rule)) {
-    outcome.mean = plastic.after;
+  } else {
+    lose_gain(island, plastic.after, outcome);
   }
 }
 
@@ -286,27 +289,52 @@ void IslandStep::keep_apart(const Island& island, const std::vector<Vec2>& plast
   }
 }
 
-// after = plastic + part (after - plastic), for the largest part without a gain: a convex parabola
-// that is not above 0 at part 0.
+// after = plastic + part (after - plastic): a convex parabola of energy that is not above 0 at part
+// 0. The part is the largest without a gain; only where nothing is lost may it be more than 1.
 void IslandStep::hold_energy(const Island& island, const IslandOutcome& plastic,
                              IslandOutcome& outcome) {
   const Rule& rule = island.rule;
-  if (!(gain(island.bodies, outcome, rule) > kRounding * energy_scale(island.bodies, rule))) return;
-  const IslandOutcome whole = outcome;
-  const auto go = [&](double part) {
-    for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-      outcome.after[i] = plastic.after[i] + part * (whole.after[i] - plastic.after[i]);
-      outcome.turning[i] = plastic.turning[i] + part * (whole.turning[i] - plastic.turning[i]);
-    }
-  };
-  double low = 0;
-  double high = 1;
-  for (int halving = 0; halving < kHalvings; ++halving) {
-    const double part = (low + high) / 2;
-    go(part);
-    (gain(island.bodies, outcome, rule) > 0 ? high : low) = part;
+  const double grown = gain(island.bodies, outcome, rule);
+  const double rounding = kRounding * energy_scale(island.bodies, rule);
+  if (!(grown > rounding) && !(rule.keeps_energy && grown < -rounding)) return;
+  double square = 0;
+  double linear = 0;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const double inverse = island.bodies[i].inverse_mass;
+    const Vec2 change = outcome.after[i] - plastic.after[i];
+    const double turn = outcome.turning[i] - plastic.turning[i];
+    square += (change.squaredNorm() + turn * turn / 2) / 2 / inverse;
+    linear += (plastic.after[i].dot(change) + plastic.turning[i] * turn / 2) / inverse;
   }
-  go(low);
+  IslandOutcome still = outcome;
+  still.after = plastic.after;
+  still.turning = plastic.turning;
+  const double rest = std::max(-gain(island.bodies, still, rule), 0.0);
+  if (!(square > 0)) return;
+  const double root = std::sqrt(linear * linear + 4 * square * rest);
+  const double part = linear > 0 ? 2 * rest / (linear + root) : (root - linear) / (2 * square);
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    outcome.after[i] = plastic.after[i] + part * (outcome.after[i] - plastic.after[i]);
+    outcome.turning[i] = plastic.turning[i] + part * (outcome.turning[i] - plastic.turning[i]);
+  }
+}
+
+// The step that goes where its velocity at the end takes it gains nothing: as near to that one as
+// it takes.
+void IslandStep::lose_gain(const Island& island, const std::vector<Vec2>& plastic,
+                           IslandOutcome& outcome) {
+  const double grown = gain(island.bodies, outcome, island.rule);
+  if (!(grown > kRounding * energy_scale(island.bodies, island.rule))) return;
+  double work = 0;  // of the way from the one to the other
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    work +=
+        island.rule.acceleration.dot(plastic[i] - outcome.mean[i]) / island.bodies[i].inverse_mass;
+  }
+  const double needed = grown / island.rule.step;
+  const double part = work > needed ? needed / work : 1;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    outcome.mean[i] += part * (plastic[i] - outcome.mean[i]);
+  }
 }
 
 // A contact alone: of a disk the normal impulse does not change the slip, nor the tangential one
@@ -338,7 +366,7 @@ void IslandStep::take_single(const Island& island, IslandOutcome& outcome) {
   const double of_b = c.b < 0 ? 0 : island.bodies[at(c.b)].inverse_mass;
   const double wanted = bounce ? c.restitution * arrival(island.bodies, c, rule) : -room;
   const double gained = std::max(wanted - free, 0.0);
-  outcome.normal[0] = gained / (of_a + of_b);
+  outcome.normal[0] = gained / rule.fading / (of_a + of_b);
   const Vec2 t = across(c.normal);
   double along = 0;
   if (c.friction > 0) {
@@ -347,12 +375,12 @@ void IslandStep::take_single(const Island& island, IslandOutcome& outcome) {
     const double slip = slip_of(c, {motion[a], outcome.turning[a]}, other);
     // The impact comes within the step: what it does not have to hold of the pull rubs nothing.
     const double pressed = bounce ? (1 + c.restitution) * arrival(island.bodies, c, rule) : gained;
-    along = friction_against(slip, c.friction * pressed);
+    along = friction_against(slip, c.friction * pressed / rule.fading, rule.fading);
   }
   outcome.along[0] = along / (of_a + of_b);
   const auto push = [&](std::size_t body, int side, double share) {
     const Vec2 before = island.bodies[body].before;
-    outcome.after[body] += side * share * (gained * c.normal + along * t);
+    outcome.after[body] += side * share * (gained * c.normal + rule.fading * along * t);
     outcome.turning[body] -= 2 * share * along;
     // Along the normal as far as it touches, across it by the mean.
     const Vec2 met = island.bodies[body].free + side * share * (-room - free) * c.normal;

@@ -58,7 +58,10 @@ class IslandStep {
     double step = 0;
     Vec2 acceleration{0, 0};
     double rest_speed = 0;
-    double speed = 0;  ///< the scale of speeds: what the acceleration makes in a step
+    double speed = 0;   ///< the scale of speeds: what the acceleration makes in a step
+    double fading = 1;  ///< what drag leaves of a velocity gained in the middle of the step
+    bool keeps_energy =
+        false;  ///< nothing is lost: what a joint impact cannot return is given back
   };
 
   /// REQUIRES: bodies are not fixed; step and speed are more than 0.
@@ -76,6 +79,7 @@ class IslandStep {
     ContactProblem<D> problem;
     InteriorPoint<D> solver;
     std::vector<double> rooms;  // how fast each contact may close
+    std::vector<double> slips;  // how fast each slides, as far as is known
     std::vector<double> impulses;
     std::vector<double> motion;
   };
@@ -88,6 +92,8 @@ class IslandStep {
 
   static void hold_energy(const Island& island, const IslandOutcome& plastic,
                           IslandOutcome& outcome);
+  static void lose_gain(const Island& island, const std::vector<Vec2>& plastic,
+                        IslandOutcome& outcome);
   static void keep_apart(const Island& island, const std::vector<Vec2>& plastic,
                          std::vector<Vec2>& mean);
   static void take_single(const Island& island, IslandOutcome& outcome);

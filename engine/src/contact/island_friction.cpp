@@ -9,9 +9,9 @@ double slip_of(const IslandContact& contact, const SurfaceMotion& a, const Surfa
   return along.dot(b.velocity - a.velocity) - a.turning - b.turning;
 }
 
-// Of uniform disks a third of an impulse goes to the centre, two thirds to the spin.
-double friction_against(double slip, double most) {
-  return std::clamp(-slip / 3, -most, most);
+// Of uniform disks an impulse changes the spin times the radius twice as much as the velocity.
+double friction_against(double slip, double most, double fading) {
+  return std::clamp(-slip / (2 + fading), -most, most);
 }
 
 }  // namespace carom::contact

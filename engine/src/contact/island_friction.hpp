@@ -15,7 +15,7 @@ struct SurfaceMotion {
                              const SurfaceMotion& b);
 
 /// What friction does along (-n_y, n_x) to a contact alone, by the mass it moves: it stops the
-/// slip, or does the most it can.
-[[nodiscard]] double friction_against(double slip, double most);
+/// slip, or does the most it can.  Of what it does to velocities drag leaves the part `fading`.
+[[nodiscard]] double friction_against(double slip, double most, double fading);
 
 }  // namespace carom::contact

@@ -256,8 +256,14 @@ void LastingContacts::add_pair(Island& island, const Balls& balls, int a, int b,
 }
 
 IslandStep::Rule LastingContacts::step_rule(const Frame& frame) const {
-  return {rule_.step, frame.into(rule_.acceleration), rule_.rest_speed,
-          rule_.acceleration.norm() * rule_.step};
+  IslandStep::Rule rule;
+  rule.step = rule_.step;
+  rule.acceleration = frame.into(rule_.acceleration);
+  rule.rest_speed = rule_.rest_speed;
+  rule.speed = rule_.acceleration.norm() * rule_.step;
+  rule.fading = rule_.fading;
+  rule.keeps_energy = rule_.keeps_energy;
+  return rule;
 }
 
 void LastingContacts::put(Balls& balls, Member& member, const Vec2& place, const Vec2& velocity,

@@ -25,6 +25,8 @@ struct LastingRule {
   double friction = 0;
   double wall_friction = 0;
   double rest_speed = 0;
+  double fading = 1;          ///< see IslandStep::Rule
+  bool keeps_energy = false;  ///< see IslandStep::Rule
 };
 
 /// Whether lasting contacts are looked for: gravity presses balls together that come to rest by

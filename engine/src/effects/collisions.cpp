@@ -30,23 +30,22 @@ bool sweep(ContactGroup& group, int passes, Act act) {
 }
 
 // Takes `work` out of the motion along the acceleration (puts it in where it is negative); where
-// there is not enough, the balls are moved less far.  `free` is work that need not be paid.
-void pay(ContactGroup& group, const Vec2& acceleration, double work, double free) {
-  const double due = work - free;
-  if (due == 0) return;
+// there is not enough, the balls are moved less far.
+void pay(ContactGroup& group, const Vec2& acceleration, double work) {
+  if (work == 0) return;
   const double square = acceleration.squaredNorm();
   double stock = 0;
   for (const Member& member : group.members) {
     const double along = member.velocity.dot(acceleration);
     stock += member.mass * along * along / square / 2;
   }
-  if (stock == 0 && due < 0) return;
-  const double kept = due < stock ? std::sqrt(1 - due / stock) : 0;
+  if (stock == 0 && work < 0) return;
+  const double kept = work < stock ? std::sqrt(1 - work / stock) : 0;
   for (Member& member : group.members) {
     member.velocity -= (1 - kept) * member.velocity.dot(acceleration) / square * acceleration;
   }
-  if (due > stock) {
-    const double part = (free + stock) / work;
+  if (work > stock) {
+    const double part = stock / work;
     for (Member& member : group.members) {
       member.position = member.start + part * (member.position - member.start);
     }
@@ -59,31 +58,19 @@ double GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactC
   thread_local ContactGroup group;
   group.load(balls, pairs, domain_);
   count.lost = 0;
-  const std::size_t noted = count.log.impacts.size();
   const Vec2& acceleration = rule_.acceleration;
-  const bool falls = acceleration.x() != 0 || acceleration.y() != 0;
-  const double energy = falls ? group.kinetic_energy() : 0;
   sweep(group, kImpactPasses,
         [&](Contact& contact) { return group.collide(contact, domain_, rule_, count); });
   sweep(group, kSeparationPasses, [&](const Contact& contact) {
     const double a = group.members[contact.a].inverse_mass / contact.inverse_masses;
     return group.separate(contact, domain_, a, 1 - a);
   });
-  double lifted = 0;
-  if (falls && group.bound) {
-    const double work = group.lifting_work(acceleration);
-    const double set_free = std::max(0.0, energy - group.kinetic_energy());
-    const bool elastic = rule_.restitution == 1;
-    if (!elastic) lifted = std::min(work, set_free);
-    if (elastic || work > set_free) pay(group, acceleration, work, elastic ? 0 : set_free);
+  // Where gravity acts on groups that are resolved here, nothing is lost.
+  if (acceleration != Vec2{0, 0} && group.bound) {
+    pay(group, acceleration, group.lifting_work(acceleration));
   }
   group.store(balls, domain_, turns_);
-  const double lost = std::max(0.0, count.lost - lifted);
-  // Each of the impacts has its part in what they have lifted.
-  for (std::size_t k = noted; k < count.log.impacts.size() && count.lost > 0; ++k) {
-    count.log.impacts[k].energy_lost *= lost / count.lost;
-  }
-  return lost;
+  return count.lost;
 }
 
 }  // namespace carom::effects

@@ -16,13 +16,8 @@ struct CollisionRule {
   double restitution = 1;
   double wall_restitution = 1;
   Vec2 acceleration{0, 0};
-  /// Balls closer than this factor of the sum of their radii are resolved together: moving balls of
-  /// a pile apart must not push them into others that nobody looks at.
-  double stretch = 1;
-  double rest_speed = 0;  ///< slower approaches come to rest: see effects/walls.hpp
-  std::array<double, 2> wall_rest_speed{0, 0};  ///< the same at the walls across each axis
-  double friction = 0;                          ///< coefficient between balls
-  double wall_friction = 0;                     ///< and at walls
+  double friction = 0;       ///< coefficient between balls
+  double wall_friction = 0;  ///< and at walls
   double step = 0;
 };
 
@@ -39,9 +34,11 @@ struct ImpactCount {
 /// Gives the balls of one group of touching pairs their new velocities and moves them apart.
 ///
 /// The outcome depends on the group alone.  Every impulse keeps momentum and cannot raise the
-/// energy; balls are moved apart by inverse mass, and what that costs against gravity beyond what
-/// the impacts of the group have set free is taken from their motion along gravity.  What the
-/// impacts take from the energy is what they set free, less what of it has lifted the balls.
+/// energy; balls are moved apart by inverse mass, and what that costs against gravity is taken from
+/// their motion along it.
+///
+/// REQUIRES: under gravity nothing is lost in impacts; else contacts last: see
+/// contact/lasting_contacts.hpp.
 ///
 /// Threads: groups of one step may be resolved at the same time: no ball is in two of them.
 class GroupResolver {

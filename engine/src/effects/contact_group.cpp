@@ -141,11 +141,10 @@ bool ContactGroup::collide(Contact& contact, const Domain& domain, const Collisi
   const double closing = (b.velocity - a.velocity).dot(line.r);
   if (!approaches(closing, line.length, a.velocity, b.velocity)) return false;
   Blow blow;
-  blow.bounces = -closing > rule.rest_speed * line.length;
-  const double restitution = blow.bounces ? rule.restitution : 0;
-  blow.j = impulse(closing, line.square, contact.inverse_masses, restitution);
+  blow.bounces = true;
+  blow.j = impulse(closing, line.square, contact.inverse_masses, rule.restitution);
   blow.arrival = -closing / line.length;
-  blow.leaving = restitution * blow.arrival;
+  blow.leaving = rule.restitution * blow.arrival;
   exchange(contact, blow, domain, rule, count);
   return true;
 }
@@ -165,7 +164,7 @@ bool ContactGroup::collide_under_pull(Contact& contact, const Domain& domain,
   const double depth = contact.met ? 0 : contact.reach - line.distance;
   const double arrival = std::sqrt(std::max(0.0, speed * speed - 2 * pull * depth));
   contact.met = true;
-  const bool bounces = arrival > rule.rest_speed + rest_speed(pull, rule.step, rule.restitution);
+  const bool bounces = arrival > rest_speed(pull, rule.step, rule.restitution);
   const double leaving = bounces ? rule.restitution * arrival : 0;
   const double change = approach + leaving + half;
   if (!(change > 0)) return false;
@@ -258,20 +257,18 @@ void ContactGroup::rebound(Member& member, const Domain& domain, const Collision
     if (v == 0) continue;
     const double outwards = v < 0 ? -1 : 1;
     if (!at_side(member, domain, axis, outwards)) continue;
-    const bool bounces = std::abs(v) > rule.wall_rest_speed[axis];
-    const double normal = v * (bounces ? 1 + rule.wall_restitution : 1);
+    const double normal = v * (1 + rule.wall_restitution);
     const double arrival = std::abs(v);
-    v *= bounces ? -rule.wall_restitution : -0.0;
+    v *= -rule.wall_restitution;
     Rubbed rubbed;
     if (rule.wall_friction > 0) {
       const Stopwatch stopwatch(count.timed, count.friction_seconds);
       rubbed = rub_wall(member, axis, normal, rule.wall_friction);
     }
-    if (bounces) ++count.ball_wall;
+    ++count.ball_wall;
     count.lost += member.mass * (rubbed.lost + lost_to_restitution(arrival, v, 1));
     if (!count.log.wanted) continue;
-    const WallImpact met{member.ball, outwards > 0, bounces,
-                         arrival,     std::abs(v),  std::abs(normal)};
+    const WallImpact met{member.ball, outwards > 0, true, arrival, std::abs(v), std::abs(normal)};
     note_wall(met, axis, member, rubbed, count.log);
   }
 }

@@ -31,8 +31,7 @@ std::uint64_t walls(Flight& flight, const Domain& domain, const WallRule& rule, 
     const double arrival =
         arrival_speed(rule, outwards * flight.velocity[k] - half,
                       outwards * rule.acceleration + pull, outwards * (wall - flight.position[k]));
-    const bool bounces =
-        arrival > rule.rest_speed + rest_speed(pull, flight.step, rule.restitution);
+    const bool bounces = arrival > rest_speed(pull, flight.step, rule.restitution);
     const double leaving = bounces ? rule.restitution * arrival : 0;
     if (struck != nullptr || met != nullptr) {
       const double stopped = std::max(0.0, outwards * flight.after[k] + half);

@@ -12,7 +12,6 @@ namespace carom::effects {
 struct WallRule {
   double restitution = 1;
   double acceleration = 0;  ///< along the axis
-  double rest_speed = 0;    ///< a slower ball does not bounce: it comes to rest on the wall
   double drag_rate = 0;
 };
 

@@ -1,5 +1,9 @@
 #include "carom/report.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "json/writer.hpp"
 
 namespace carom {
@@ -39,6 +43,17 @@ void put_state(Writer& writer, const Simulation& simulation, bool spin) {
   writer.end_list();
 }
 
+// Attraction pulls balls into each other between two steps; the overlap is of the step's order.
+std::string warning_of(const Report& report, bool attraction) {
+  constexpr double kDeep = 1e-3;
+  const double deepest = report.measurements.max_overlap;
+  if (!attraction || !(deepest > kDeep) || !(report.step > 0)) return "";
+  const double step =
+      std::ldexp(report.step, -static_cast<int>(std::ceil(std::log2(deepest / kDeep))));
+  return fmt::format("balls overlapped by {:.2g} of a radius at impacts: try --step {:.2g}",
+                     deepest, step);
+}
+
 }  // namespace
 
 const char* version() {
@@ -62,6 +77,7 @@ Report make_report(const Session& session) {
   report.seed = session.scene().seed;
   report.spin = session.scene().effects.friction.has_value();
   report.measurements = simulation.measure();
+  report.warning = warning_of(report, session.scene().effects.attraction.has_value());
   report.state_hash = simulation.state_hash();
   report.balls = simulation.balls();
   return report;
@@ -101,10 +117,9 @@ void write_report(const Report& report, const Simulation* with_state, const Text
   put_pair(writer, "initial", measured.momentum_initial);
   put_pair(writer, "final", measured.momentum_final);
   writer.end_object();
-  writer.put("islands_again", measured.islands_again)
-      .put("max_overlap", measured.max_overlap)
-      .put("missed_hits", measured.missed_hits)
-      .put("wall_seconds", report.wall_seconds);
+  writer.put("islands_again", measured.islands_again).put("max_overlap", measured.max_overlap);
+  if (!report.warning.empty()) writer.put("warning", report.warning);
+  writer.put("missed_hits", measured.missed_hits).put("wall_seconds", report.wall_seconds);
   put_seconds(writer, measured.phases);
   put_costs(writer, measured.effects);
   writer.put("state_hash", report.state_hash);

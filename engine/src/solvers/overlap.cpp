@@ -13,7 +13,6 @@
 #include "effects/friction.hpp"
 #include "effects/gravity.hpp"
 #include "effects/periodic.hpp"
-#include "effects/rest.hpp"
 #include "effects/walls.hpp"
 #include "solvers/sampling.hpp"
 #include "state/stopwatch.hpp"
@@ -261,7 +260,7 @@ void OverlapSolver::detect(Share share) {
   const std::size_t begin = listed ? 0 : share.begin(pairs.count);
   const std::size_t end = listed ? pairs.count : share.end(pairs.count);
   const double deepest =
-      find_touching(pairs, begin, end, balls_, domain_.period, rule_.stretch, desk.touching);
+      find_touching(pairs, begin, end, balls_, domain_.period, stretch_, desk.touching);
   if (!lasting_) desk.deepest = std::max(desk.deepest, deepest);
 }
 
@@ -361,7 +360,7 @@ std::vector<Pair> OverlapSolver::near_pairs() {
   std::vector<Pair> near;
   if (!collides()) return near;
   const auto look = [&](const PairList& pairs) {
-    find_touching(pairs, 0, pairs.count, balls_, domain_.period, rule_.stretch, near);
+    find_touching(pairs, 0, pairs.count, balls_, domain_.period, stretch_, near);
   };
   if (!many()) {
     look(all_pairs_);
@@ -442,7 +441,7 @@ bool OverlapSolver::list_is_stale() const {
 void OverlapSolver::build_grid() {
   const Skin skin = choose_skin(balls_, domain_, step_);
   skin_ = skin.thickness;
-  near_ = (rule_.stretch - 1) * (skin.reach - skin.thickness);
+  near_ = (stretch_ - 1) * (skin.reach - skin.thickness);
   grid_.sort(balls_, domain_, skin.reach + near_);
   anchor_ = balls_.position;
   listed_ = true;
@@ -506,7 +505,6 @@ void OverlapSolver::renew_rules() {
   rule_.step = step_;
   if (effects_.collisions) {
     rule_.restitution = effects_.collisions->restitution;
-    rule_.rest_speed = effects::rest_speed(acceleration.norm(), step_, rule_.restitution);
   }
   if (effects_.walls) {
     rule_.wall_restitution = effects_.walls->restitution;
@@ -522,8 +520,7 @@ void OverlapSolver::renew_rules() {
   for (const double radius : balls_.radius) smallest_radius_ = std::min(smallest_radius_, radius);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double along = acceleration[axis];
-    rule_.wall_rest_speed[axis] = effects::rest_speed(along, step_, rule_.wall_restitution);
-    wall_rule_[axis] = {rule_.wall_restitution, along, rule_.wall_rest_speed[axis], drag_rate_};
+    wall_rule_[axis] = {rule_.wall_restitution, along, drag_rate_};
     glide_[axis] = Glide{step_};
     if (drag_rate_ > 0) {
       glide_[axis] = effects::slowed(drag_rate_, step_, along);
@@ -533,7 +530,7 @@ void OverlapSolver::renew_rules() {
     if (along != 0 && domain_.period[axis] > 0) turns_[axis].resize(balls_.size(), 0);
   }
   lasting_ = contact::contacts_last(effects_, balls_);
-  rule_.stretch = lasting_ ? 1 + contact::LastingContacts::kNear : 1;
+  stretch_ = lasting_ ? 1 + contact::LastingContacts::kNear : 1;
   lasting_rule_ = {step_,
                    acceleration,
                    {glide_[0].fall, glide_[1].fall},
@@ -542,7 +539,9 @@ void OverlapSolver::renew_rules() {
                    rule_.wall_restitution,
                    rule_.friction,
                    rule_.wall_friction,
-                   loses_energy(effects_) ? 2 * acceleration.norm() * step_ : 0};
+                   loses_energy(effects_) ? 2 * acceleration.norm() * step_ : 0,
+                   std::sqrt(glide_[0].keep),
+                   !loses()};
   know_asleep_ = false;
 }
 

@@ -163,7 +163,8 @@ class OverlapSolver final : public Solver {
   CellGrid grid_;
   std::array<Balls::Column, 2> anchor_;  // where the balls were when the list was built
   double skin_ = 0;
-  double near_ = 0;  // how far apart balls are that count as touching: see CollisionRule::stretch
+  double stretch_ = 1;  // balls closer than this factor of their reach count as touching
+  double near_ = 0;     // how far apart those are
   bool listed_ = false;
   std::vector<Pair> touching_;
   Groups groups_;

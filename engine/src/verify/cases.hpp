@@ -34,6 +34,7 @@ struct Case {
 std::vector<Case> simultaneous_cases();  ///< cradle, rack, corner, tight, three-way
 std::vector<Case> timing_cases();        ///< pi, bullet, graze, far
 std::vector<Case> loss_cases();          ///< collapse, zeno, pile
+std::vector<Case> contact_cases();       ///< slope, triangle, heavy, sleeping, avalanche
 std::vector<Case> symmetry_cases();      ///< scaled, mirrored, relabelled, workers, stopped
 std::vector<Case> long_cases();          ///< dense, drift, ratio, reversal, rods
 std::vector<Case> fluid_cases();         ///< gas, speeds, cooling

@@ -21,8 +21,8 @@ using hard::Trial;
 std::vector<Case> all_cases() {
   std::vector<Case> all;
   for (auto* const family :
-       {hard::simultaneous_cases, hard::timing_cases, hard::loss_cases, hard::symmetry_cases,
-        hard::long_cases, hard::fluid_cases, hard::start_cases}) {
+       {hard::simultaneous_cases, hard::timing_cases, hard::loss_cases, hard::contact_cases,
+        hard::symmetry_cases, hard::long_cases, hard::fluid_cases, hard::start_cases}) {
     for (Case& each : family()) all.push_back(std::move(each));
   }
   return all;

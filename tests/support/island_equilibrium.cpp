@@ -1,4 +1,4 @@
-#include "contact/equilibrium.hpp"
+#include "support/island_equilibrium.hpp"
 
 #include <algorithm>
 #include <cmath>

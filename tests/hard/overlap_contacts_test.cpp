@@ -1,0 +1,198 @@
+// Contacts that last, by method overlap: the closed forms of a uniform disk that rolls and slips,
+// and what stands or lies for good.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/simulation.hpp"
+
+namespace carom {
+namespace {
+
+constexpr double kGravity = 9.81;
+
+Ball disk(double x, double y, double mass = 1) {
+  Ball ball{{x, y}};
+  ball.mass = mass;
+  return ball;
+}
+
+Scene box(const std::vector<Ball>& balls, const Vec2& gravity = {0, -kGravity}) {
+  Scene scene;
+  scene.box.width = 100;
+  scene.box.height = 60;
+  scene.effects.walls = Walls{0.5};
+  scene.effects.collisions = Collisions{0.5};
+  scene.effects.gravity = Gravity{gravity};
+  scene.balls = balls;
+  scene.solver.method = Method::overlap;
+  scene.workers = 1;
+  return scene;
+}
+
+Scene rough(Scene scene, double friction) {
+  scene.effects.friction = Friction{friction, friction};
+  return scene;
+}
+
+std::vector<Ball> after(const Scene& scene, double time) {
+  Simulation simulation(scene);
+  simulation.advance_to(time);
+  return simulation.state();
+}
+
+// A spin w at first: slips with mu g until v = r w, then rolls at w r / 3.
+TEST(OverlapContacts, ASpinningBallSlipsThenRolls) {
+  const double mu = 0.2;
+  Ball start = disk(20, 0.5);
+  start.spin = -20;
+  const double rolls = 10 / (3 * mu * kGravity);
+  const double speed = 10.0 / 3;
+  const Ball now = after(rough(box({start}), mu), 3)[0];
+  EXPECT_NEAR(now.velocity.x(), speed, 1e-9);
+  EXPECT_NEAR(now.spin, -speed / 0.5, 1e-9);
+  EXPECT_NEAR(now.position.x(), 20 + mu * kGravity * rolls * rolls / 2 + speed * (3 - rolls), 1e-3);
+  EXPECT_EQ(now.position.y(), 0.5);
+}
+
+// Thrown flat without spin it ends rolling with 2/3 of its speed, on an elastic floor too.
+TEST(OverlapContacts, ABallThrownFlatEndsRolling) {
+  Ball start = disk(5, 0.5);
+  start.velocity.x() = 3;
+  Scene scene = rough(box({start}), 0.4);
+  scene.effects.walls->restitution = 1;
+  scene.effects.collisions->restitution = 1;
+  const Ball now = after(scene, 6)[0];
+  EXPECT_NEAR(now.velocity.x(), 2, 1e-9);
+  EXPECT_NEAR(now.spin, -4, 1e-9);
+  EXPECT_EQ(now.position.y(), 0.5);
+}
+
+// Side by side both roll with 2/3 of the pull; the error is of first order in the step.
+TEST(OverlapContacts, TwoBallsThatTouchRollDownASlope) {
+  const double pull = kGravity / 10;
+  const double way = pull / 3 * 16;
+  double coarse = 0;
+  for (const double rate : {240.0, 960.0}) {
+    Scene scene = rough(box({disk(5, 0.5), disk(6, 0.5)}, {pull, -kGravity}), 0.4);
+    scene.solver.step = 1 / rate;
+    const std::vector<Ball> now = after(scene, 4);
+    double worst = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      worst = std::max(worst, std::abs(now[k].position.x() - 5 - double(k) - way));
+      EXPECT_NEAR(now[k].velocity.x(), 2 * pull / 3 * 4, 1e-3);
+    }
+    EXPECT_LT(worst, 1e-3);
+    if (rate == 240) coarse = worst;
+    if (rate == 960) {
+      EXPECT_LT(worst, coarse / 2);
+    }
+  }
+}
+
+TEST(OverlapContacts, WhatIsPulledALittleMoves) {
+  for (const double tilt : {1e-4, 1e-6}) {
+    const double pull = tilt * kGravity;
+    const auto now = after(box({disk(5, 0.5), disk(5, 1.5)}, {pull, -kGravity}), 4);
+    for (const Ball& ball : now) {
+      EXPECT_NEAR(ball.velocity.x(), 4 * pull, 1e-6 * pull);
+      EXPECT_NEAR((ball.position.x() - 5) / (8 * pull), 1, 1e-3);
+    }
+  }
+  // Pressed against the left wall, and pulled down it a little.
+  const std::vector<double> heights{9, 7, 5};
+  std::vector<Ball> balls;
+  for (const double y : heights) balls.push_back(disk(0.5, y));
+  const auto now = after(box(balls, {-kGravity, -1e-6}), 4);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(now[k].position.y() - heights[k], -8e-6, 1e-9);
+  }
+}
+
+void expect_still(const Scene& scene, double time) {
+  Simulation simulation(scene);
+  simulation.advance_to(time);
+  const std::vector<Ball> now = simulation.state();
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    EXPECT_LT((now[k].position - scene.balls[k].position).norm(), 1e-6 * now[k].radius);
+    EXPECT_EQ(now[k].velocity, (Vec2{0, 0}));
+    EXPECT_EQ(now[k].spin, 0);
+  }
+}
+
+TEST(OverlapContacts, ATowerOfFiftyStands) {
+  std::vector<Ball> balls;
+  for (int k = 0; k < 50; ++k) balls.push_back(disk(50, 0.5 + k));
+  expect_still(box(balls), 60);
+}
+
+TEST(OverlapContacts, APyramidOfTenRowsStandsByFriction) {
+  std::vector<Ball> balls;
+  for (int row = 0; row < 10; ++row) {
+    for (int k = 0; k < 10 - row; ++k) {
+      balls.push_back(disk(20 + k + row * 0.5, 0.5 + row * std::sqrt(0.75)));
+    }
+  }
+  expect_still(rough(box(balls), 0.8), 60);
+}
+
+// Three balls between two fixed ones: the slopes of the thrust are as 3 : 1, so that an arch of
+// these slopes carries itself, and one of equal slopes needs friction.
+TEST(OverlapContacts, AnArchStandsOnTheLineOfItsThrustOrByFriction) {
+  const double high = std::acos(-1.0) / 9;
+  const double low = std::atan(3 * std::tan(high));
+  const auto arch = [](double first, double second) {
+    const double x = std::cos(first) + std::cos(second);
+    std::vector<Ball> balls{disk(50 - x, 5), disk(50 - std::cos(second), 5 + std::sin(first)),
+                            disk(50, 5 + std::sin(first) + std::sin(second)),
+                            disk(50 + std::cos(second), 5 + std::sin(first)), disk(50 + x, 5)};
+    balls.front().fixed = balls.back().fixed = true;
+    return balls;
+  };
+  expect_still(rough(box(arch(low, high)), 0.5), 20);
+  expect_still(rough(box(arch(0.6, 0.6)), 0.8), 20);
+  const std::vector<Ball> now = after(box(arch(0.6, 0.6)), 2);
+  EXPECT_LT(now[2].position.y(), 5);
+}
+
+TEST(OverlapContacts, HeavyAndLightInTurnRestForEver) {
+  for (const double mass : {1e2, 1e4}) {
+    std::vector<Ball> balls;
+    for (int k = 0; k < 4; ++k) balls.push_back(disk(5, 0.5 + k, k % 2 == 0 ? 1 : mass));
+    expect_still(box(balls), 20);
+  }
+}
+
+// Where nothing is lost nothing is: heavy and light balls fall on each other and stay in line.
+TEST(OverlapContacts, ElasticBallsOnALineKeepTheirOrderAndEnergy) {
+  for (const double mass : {1.0, 100.0, 1e4}) {
+    std::vector<Ball> balls;
+    for (int k = 0; k < 4; ++k) balls.push_back(disk(5, 0.5 + 1.1 * k, k % 2 == 0 ? 1 : mass));
+    Scene scene = box(balls);
+    scene.effects.walls->restitution = scene.effects.collisions->restitution = 1;
+    Simulation simulation(scene);
+    simulation.advance_to(10);
+    const std::vector<Ball> now = simulation.state();
+    for (std::size_t k = 1; k < now.size(); ++k) {
+      EXPECT_GT(now[k].position.y(), now[k - 1].position.y());
+    }
+    EXPECT_LE(simulation.measure().energy_final, simulation.measure().energy_initial * (1 + 1e-9));
+  }
+}
+
+// A fast ball passes another one between two steps: it is counted whatever they weigh.
+TEST(OverlapContacts, HitsThatAreMissedAreCountedAtEveryMassRatio) {
+  for (const double mass : {1.0, 1e3, 1e6}) {
+    std::vector<Ball> balls{disk(50, 30), disk(40, 30, mass)};
+    balls[1].velocity.x() = 15 * 240;
+    Scene scene = box(balls);
+    scene.effects.gravity.reset();
+    Simulation simulation(scene);
+    simulation.advance_to(2.0 / 240);
+    EXPECT_GT(simulation.measure().missed_hits, 0U) << mass;
+  }
+}
+
+}  // namespace
+}  // namespace carom
