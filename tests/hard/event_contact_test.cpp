@@ -87,5 +87,27 @@ TEST(EventContact, hops_between_a_wall_and_a_fixed_ball_end) {
   EXPECT_EQ(end.balls[1].velocity, (Vec2{0, 0}));
 }
 
+// Nothing but gravity pushes along a floor that does not rub: whatever a ball that slides down
+// another and the one below do to each other, their momentum along it is m g_x t.
+// Seen to fail where a ball that leaves a crowd for the floor keeps what gravity gave it ahead.
+TEST(EventContact, balls_that_part_on_a_slope_have_the_momentum_of_their_fall) {
+  for (const double along : {-2.0, 0.5, 3.0}) {
+    for (const double aside : {0.3, 0.6, 0.9}) {
+      const Ball below = ball(50, 0.5, 2);
+      const Ball above = ball(50 + aside, 0.5 + std::sqrt(1 - aside * aside));
+      Scene scene = box(0.5, {along, -kG});
+      scene.box.width = 100;
+      const double time = 3;
+      const Outcome end = run(scene, {below, above}, time);
+      double momentum = 0;
+      for (const Ball& each : end.balls) {
+        EXPECT_EQ(each.position.y(), 0.5);
+        momentum += each.mass * each.velocity.x();
+      }
+      EXPECT_NEAR(momentum, 3 * along * time, 1e-6) << along << ' ' << aside;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom

@@ -437,6 +437,10 @@ void Tile<P>::step_crowd(Gathering& crowd, At now) requires kCanRest {
     at = motion_.wall(disks_[crowd.members[a]], crowd.places[a], wall).stop;
     // Only walls carry it: it glides on, or rolls.
     if (on_balls[a] != 0 || slips[a] != 0 || approaches[a] != 0) continue;
+    // From here on gravity acts along the wall as it falls: what was given ahead is taken back.
+    if (crowd.carried[a] == kStepped && c.friction == 0) {
+      crowd.bodies[a].velocity = crowd.bodies[a].velocity - span * g;
+    }
     (x ? crowd.bodies[a].velocity.x : crowd.bodies[a].velocity.y) = 0;
     crowd.carried[a] = 0;
   }
