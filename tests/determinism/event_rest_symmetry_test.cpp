@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solvers/event/event_solver.hpp"
+#include "support/advance.hpp"
 
 namespace carom {
 namespace {
@@ -40,11 +41,9 @@ Scene heap() {
 class Course {
  public:
   explicit Course(const Scene& scene)
-      : solver_(std::make_unique<EventSolver>(scene, scene.balls)), phases_(solver_->phases()) {}
+      : solver_(std::make_unique<EventSolver>(scene, scene.balls)) {}
 
-  void advance(double time) {
-    if (solver_->aim(time) != Phase::kFrameDone) phases_[0].work(Share{0, 1});
-  }
+  void advance(double time) { test::advance(*solver_, time); }
   std::vector<Ball> balls() const { return solver_->state(); }
   Measurements measured() const {
     Measurements result;
@@ -56,12 +55,13 @@ class Course {
     scene.continuation.emplace();
     scene.continuation->time = time;
     solver_->save(scene);
+    solver_->visit_flights(
+        [&scene](const SavedFlight& flight) { scene.continuation->flights.push_back(flight); });
     return scene;
   }
 
  private:
   std::unique_ptr<Solver> solver_;
-  std::vector<Phase> phases_;
 };
 
 constexpr double kEnd = 12;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solvers/event/event_solver.hpp"
+#include "support/advance.hpp"
 
 namespace carom {
 namespace {
@@ -44,8 +45,7 @@ struct Outcome {
 
 Outcome run(const Scene& scene, const std::vector<Ball>& balls, double time) {
   EventSolver solver(scene, balls);
-  const std::vector<Phase> phases = solver.phases();
-  if (solver.aim(time) != Phase::kFrameDone) phases[0].work(Share{0, 1});
+  test::advance(solver, time);
   Outcome outcome{solver.state(), {}};
   solver.count(outcome.measured);
   return outcome;

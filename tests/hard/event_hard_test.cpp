@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solvers/event/event_solver.hpp"
+#include "support/advance.hpp"
 
 namespace carom {
 namespace {
@@ -29,7 +30,7 @@ Scene elastic(double width, double height) {
 }
 
 Measurements run_to(Solver& solver, double time) {
-  if (solver.aim(time) != Phase::kFrameDone) solver.phases()[0].work(Share{0, 1});
+  test::advance(solver, time);
   Measurements measured;
   solver.count(measured);
   return measured;
