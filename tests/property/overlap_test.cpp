@@ -39,7 +39,8 @@ RC_GTEST_PROP(Overlap, EnergyNeverGrows, ()) {
   const Scene scene = any_scene();
   Simulation simulation(scene);
   double energy = simulation.measure().energy_initial;
-  // Rounding is relative to the energy there is to exchange.
+  // Rounding, and what the forces of islands are not solved to, are relative to the energy there is
+  // to exchange.
   double scale = 0;
   for (const Ball& ball : scene.balls) {
     scale +=
@@ -49,7 +50,7 @@ RC_GTEST_PROP(Overlap, EnergyNeverGrows, ()) {
   for (int part = 1; part <= 5; ++part) {
     simulation.advance_to(part * 0.2);
     const double now = simulation.measure().energy_final;
-    RC_ASSERT(now <= energy + 1e-12 * scale);
+    RC_ASSERT(now <= energy + 1e-11 * scale);
     energy = now;
   }
 }
