@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "numbers/scalar.hpp"
 
 namespace carom::event {
@@ -42,8 +44,9 @@ namespace carom::event {
 // energy, counted without what gravity has given it ahead of its fall.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
-// to rest where they are: forces can carry them.  A ball on a single fixed one rests only straight
-// above it.  While a crowd rests it costs nothing.
+// to rest where they are, if forces within the cones of friction hold them there, which is asked of
+// up to 16 balls: what is pulled, by 2^-22 g, moves on.  A ball on a single fixed one rests only
+// straight above it.  While a crowd rests it costs nothing.
 //
 // Rule 5, waking.  A crowd at rest moves again when a ball that is not of it hits one that is, when
 // one of it is removed, or when gravity is set.
@@ -90,6 +93,9 @@ inline constexpr int kManyContacts = 16;
 inline constexpr double kStill = 0x1p-10;
 inline constexpr double kLoaded = 0x1p-10;
 inline constexpr double kSolved = 0x1p-12;
+/// Rule 4: what forces hold is moved no faster by a step; of so many balls at most that is asked.
+inline constexpr double kHeld = 0x1p-22;
+inline constexpr std::size_t kFewHeld = 16;
 
 /// Whether two that are r apart are nearer than their contact's distance and this part more of it.
 template <class S>

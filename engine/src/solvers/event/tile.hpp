@@ -225,6 +225,9 @@ class Tile {
   void hit_crowd(Gathering& crowd, At now) requires kCanRest;
   void step_crowds(At now) requires kCanRest;
   void step_crowd(Gathering& crowd, At now) requires kCanRest;
+  void hold_still(const Gathering& crowd, std::vector<std::size_t>& set,
+                  const std::vector<char>& carries,
+                  std::vector<char>& moves) const requires kCanRest;
   struct CrowdEnergy {
     S stepped;
     S ahead;

@@ -338,6 +338,54 @@ double Tile<P>::given_ahead(At now) const requires kCanRest {
   return sum;
 }
 
+// What is slow comes to rest only where forces at its contacts hold it: what is pulled moves on. Of
+// many balls, which creep until all contacts carry, slowness decides.
+template <class P>
+void Tile<P>::hold_still(const Gathering& crowd, std::vector<std::size_t>& set,
+                         const std::vector<char>& carries,
+                         std::vector<char>& moves) const requires kCanRest {
+  const std::size_t n = crowd.members.size();
+  const auto find = [&set](std::size_t k) {
+    while (set[k] != k) k = set[k] = set[set[k]];
+    return k;
+  };
+  const auto span = static_cast<double>(
+      S(motion_.rules().scale.seconds(P::Clock::span(1, motion_.step_shift()))));
+  const auto speed = static_cast<double>(motion_.speed_of_step());
+  const Vec<double> g = motion_.law().pull();
+  for (std::size_t first = 0; first < n; ++first) {
+    if (find(first) != first || moves[first] != 0) continue;
+    std::vector<int> number(n, -1);
+    std::vector<CrowdBody> bodies;
+    bool fresh = false;
+    for (std::size_t m = 0; m < n; ++m) {
+      if (find(m) != first) continue;
+      number[m] = static_cast<int>(bodies.size());
+      bodies.push_back({span * g, 0, crowd.bodies[m].inverse_mass});
+      fresh = fresh || crowd.carried[m] != kResting;
+    }
+    if (!fresh || bodies.size() > kFewHeld) continue;
+    std::vector<CrowdContact> contacts;
+    for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+      CrowdContact contact = crowd.contacts[k];
+      const int a = number[static_cast<std::size_t>(contact.a)];
+      if (a < 0 || (carries[k] == 0 && !crowd.near[k].touches)) continue;
+      contact.a = a;
+      if (contact.b != kWall) contact.b = number[static_cast<std::size_t>(contact.b)];
+      if (crowd.contacts[k].b != kWall && contact.b < 0) continue;
+      contact.gap = 0;
+      contacts.push_back(contact);
+    }
+    Crowd whole(bodies, contacts);
+    whole.resolve(bodies, 0, kHeld / 4 * speed);
+    for (const CrowdBody& body : bodies) {
+      const double most =
+          std::max({std::abs(body.velocity.x), std::abs(body.velocity.y), std::abs(body.turning)});
+      if (most > kHeld * speed) moves[first] = 1;
+    }
+  }
+}
+
 template <class P>
 void Tile<P>::step_crowd(Gathering& crowd, At now) requires kCanRest {
   ++counts_.steps;
@@ -408,6 +456,7 @@ void Tile<P>::step_crowd(Gathering& crowd, At now) requires kCanRest {
   for (std::size_t m = 0; m < n; ++m) {
     if (restless[m] != 0) moves[find(m)] = 1;
   }
+  hold_still(crowd, set, carries, moves);
   std::vector<char> newly(n, 0);
   for (std::size_t m = 0; m < n; ++m) {
     CrowdBody& body = crowd.bodies[m];
