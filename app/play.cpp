@@ -44,8 +44,10 @@ Settings settings_of(const Options& options, const StoredSettings& stored, Palet
   if (const auto named = glyphs_named(options.glyphs)) settings.glyphs = *named;
   settings.frames_per_second = stored.fps.value_or(settings.frames_per_second);
   if (options.fps) settings.frames_per_second = static_cast<int>(*options.fps);
-  settings.library.names = scene_names();
-  settings.library.load = [](const std::string& name) { return read_scene(find_scene(name)); };
+  settings.scene_library.names = scene_names();
+  settings.scene_library.load = [](const std::string& name) {
+    return read_scene(find_scene(name));
+  };
   settings.scene = options.scenes.empty() ? kBuiltIn : options.scenes.front();
   settings.folder.assign(1, '.');  // the current one
   return settings;

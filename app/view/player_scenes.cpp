@@ -21,10 +21,10 @@ constexpr int kMostSteps = 100;  // of a key pressed again and again
 bool Player::press_for_scenes(int key) {
   switch (key) {
     case key::kTab:
-      if (settings_.library.names.empty()) {
+      if (settings_.scene_library.names.empty()) {
         say("no scenes to choose from");
       } else {
-        picker_.emplace(settings_.library, scene_name_);
+        picker_.emplace(settings_.scene_library, scene_name_);
         notice_.clear();
       }
       return true;
@@ -64,7 +64,7 @@ void Player::open_scene(const std::string& name) {
   std::unique_ptr<Session> session;
   Scene scene;
   try {
-    scene = settings_.library.load(name);
+    scene = settings_.scene_library.load(name);
     scene.played = true;
     session = std::make_unique<Session>(scene);
   } catch (const SceneError& error) {

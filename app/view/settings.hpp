@@ -16,9 +16,9 @@ struct Settings {
   Glyphs glyphs = Glyphs::ascii;
   int frames_per_second = 30;
   Palette palette{Colors::none, Background::any};  ///< of recordings: that of the terminal
-  SceneLibrary library;  ///< the scenes that a key offers; none: there are none
-  std::string scene;     ///< the one that is played, as they call it
-  std::string folder;    ///< where keys write files; empty: nowhere
+  SceneLibrary scene_library;  ///< the scenes that a key offers; none: there are none
+  std::string scene;           ///< the one that is played, as they call it
+  std::string folder;          ///< where keys write files; empty: nowhere
 };
 
 }  // namespace carom

@@ -259,8 +259,8 @@ TEST(Player, TheBarOfTimeIsShownWhilePausedAndLeadsBack) {
 /// A library of two scenes, of which one cannot be played.
 Settings with_library() {
   Settings settings;
-  settings.library.names = {"good", "bad"};
-  settings.library.load = [](const std::string& name) {
+  settings.scene_library.names = {"good", "bad"};
+  settings.scene_library.load = [](const std::string& name) {
     Scene scene = one_ball();
     scene.name = name;
     scene.about = "about the " + name + " one";
