@@ -116,7 +116,7 @@ void Palette::change(const Look& from, const Look& to, std::string& bytes) const
   Look now = from;
   std::string codes;
   if ((from.bold && !to.bold) || (from.dim && !to.dim) || (from.reverse && !to.reverse)) {
-    codes = "0";
+    codes += '0';
     now = {};
   }
   const auto add = [&codes](const char* code) {
