@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solvers/event/event_solver.hpp"
+#include "support/advance.hpp"
 
 namespace carom {
 namespace {
@@ -55,9 +56,8 @@ struct End {
 
 End run(const Scene& scene, double time = 6, int frames = 1) {
   const auto solver = std::make_unique<EventSolver>(scene, scene.balls);
-  const std::vector<Phase> phases = solver->phases();
   for (int frame = 1; frame <= frames; ++frame) {
-    if (solver->aim(time * frame / frames) != Phase::kFrameDone) phases[0].work(Share{0, 1});
+    test::advance(*solver, time * frame / frames);
   }
   End end;
   end.balls = solver->state();

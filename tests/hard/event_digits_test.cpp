@@ -11,6 +11,7 @@
 #include "solvers/event/event_solver.hpp"
 #include "solvers/event/tile.hpp"
 #include "solvers/event/wide_physics.hpp"
+#include "support/advance.hpp"
 
 namespace carom {
 namespace {
@@ -20,7 +21,7 @@ using Exact = boost::multiprecision::cpp_bin_float_100;
 std::unique_ptr<Solver> run(Scene scene, int digits, double time) {
   scene.solver.digits = digits;
   auto solver = std::make_unique<EventSolver>(scene, populate(scene));
-  if (solver->aim(time) != Phase::kFrameDone) solver->phases()[0].work(Share{0, 1});
+  test::advance(*solver, time);
   return solver;
 }
 

@@ -6,6 +6,7 @@
 
 #include "hard/reference_scene.hpp"
 #include "solvers/event/event_solver.hpp"
+#include "support/advance.hpp"
 
 namespace carom {
 namespace {
@@ -15,11 +16,8 @@ double number(const nlohmann::json& text) {
 }
 
 void run(Solver& solver, double until, int frames) {
-  const std::vector<Phase> phases = solver.phases();
   for (int frame = 1; frame <= frames; ++frame) {
-    if (solver.aim(frame < frames ? until * frame / frames : until) != Phase::kFrameDone) {
-      phases[0].work(Share{0, 1});
-    }
+    test::advance(solver, frame < frames ? until * frame / frames : until);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solvers/event/event_solver.hpp"
+#include "support/advance.hpp"
 
 namespace carom {
 namespace {
@@ -40,10 +41,10 @@ Scene falling(double width, double height, double restitution, const Vec2& gravi
 class Course {
  public:
   Course(const Scene& scene, const std::vector<Ball>& balls)
-      : solver_(std::make_unique<EventSolver>(scene, balls)), phases_(solver_->phases()) {}
+      : solver_(std::make_unique<EventSolver>(scene, balls)) {}
 
   std::vector<Ball> at(double time) {
-    if (solver_->aim(time) != Phase::kFrameDone) phases_[0].work(Share{0, 1});
+    test::advance(*solver_, time);
     return solver_->state();
   }
   Measurements measured() const {
@@ -56,7 +57,6 @@ class Course {
 
  private:
   std::unique_ptr<Solver> solver_;
-  std::vector<Phase> phases_;
 };
 
 double speed(const Ball& b) {
