@@ -18,7 +18,7 @@ struct Settings {
   Palette palette{Colors::none, Background::any};  ///< of recordings: that of the terminal
   SceneLibrary scene_library;  ///< the scenes that a key offers; none: there are none
   std::string scene;           ///< the one that is played, as they call it
-  std::string folder;          ///< where keys write files; empty: nowhere
+  std::string folder;          ///< where keys write files; empty: they write none
 };
 
 }  // namespace carom

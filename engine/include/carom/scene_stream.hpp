@@ -8,7 +8,7 @@
 namespace carom {
 
 /// A scene whose balls and saved flights are given one by one while it is written, so that a large
-/// state is copied nowhere.
+/// state is not copied.
 ///
 /// Holds: as long as what it was taken from stays as it is.
 struct SceneStream {
