@@ -97,16 +97,16 @@ bool may_find_no_end(const Scene& scene) {
 }
 
 /// A step of overlap meets the walls of x before those of y, which shows where friction turns one
-/// impulse into the other.  With attraction the flights along x and y are not rounded alike.
+/// impulse into the other.
 bool same_for_both_axes(const Scene& scene) {
   const bool corners = scene.solver.method == Method::overlap && scene.effects.friction;
-  return !corners && !scene.effects.attraction;
+  return !corners;
 }
 
 /// Simultaneous impacts are resolved in the order of the balls, and overlap takes all impacts of a
-/// step as simultaneous.  So are the contacts into which attraction pulls balls that lose energy.
+/// step as simultaneous.
 bool same_in_any_order(const Scene& scene, const Measurements& measured) {
-  return measured.joint_impacts == 0 && !(scene.effects.attraction && loses_energy(scene)) &&
+  return measured.joint_impacts == 0 &&
          (scene.solver.method == Method::event || !scene.effects.collisions);
 }
 

@@ -27,10 +27,11 @@ void add_product(const Bernstein<kP>& p, const Bernstein<kQ>& q, Bernstein<kP + 
 
 std::optional<double> first_contact(const Bernstein<5>& x, const Bernstein<5>& y,
                                     const Vec2& velocity, double reach) {
-  Bernstein<10> beyond{};  // r.r - reach^2
-  beyond.fill(-reach * reach);
+  // r.r - reach^2, so that x and y may change places
+  Bernstein<10> beyond{};
   add_product<5, 5>(x, x, beyond);
   add_product<5, 5>(y, y, beyond);
+  for (double& coefficient : beyond) coefficient -= reach * reach;
   Bernstein<9> slope{};  // r.v
   add_product<5, 4>(x, differences(x), slope);
   add_product<5, 4>(y, differences(y), slope);

@@ -12,14 +12,15 @@ void IntegratedSolver::search(Share share) {
   find.slow.clear();
   const auto n = static_cast<std::uint32_t>(balls());
   const auto look = [&](std::uint32_t i, std::uint32_t j, const std::optional<double>& at) {
-    if (!at) return;
-    const Meeting meeting{*at, i, j};
-    if (!meeting.before(find.first) || rests(meeting)) return;
+    if (!at || *at > find.first.at) return;
+    Meeting meeting{*at, i, j};
+    if (rests(meeting)) return;
     if (is_slow(meeting)) {
       find.slow.push_back(meeting);
-    } else {
-      find.first = meeting;
+      return;
     }
+    meeting.closing = closing_speed(meeting, start_position_, start_velocity_);
+    if (meeting.before(find.first)) find.first = meeting;
   };
   if (domain_.solid(0) || domain_.solid(1)) {
     const Stopwatch stopwatch(timed(), find.seconds.of<Walls>());
@@ -34,6 +35,22 @@ void IntegratedSolver::search(Share share) {
        i += static_cast<std::uint32_t>(share.count)) {
     for (std::uint32_t j = i + 1; j < n; ++j) look(i, j, meet(i, j));
   }
+}
+
+double IntegratedSolver::closing_speed(const Meeting& meeting,
+                                       const std::array<Balls::Column, 2>& position,
+                                       const std::array<Balls::Column, 2>& velocity) const {
+  const std::size_t a = meeting.i;
+  if (meeting.with_wall()) {
+    const std::uint32_t side = meeting.j - Meeting::kWall;
+    return (side % 2 == 1 ? 1 : -1) * velocity[side / 2][a];
+  }
+  const std::size_t b = meeting.j;
+  const Vec2 r =
+      nearest_image({position[0][b] - position[0][a], position[1][b] - position[1][a]}, domain_);
+  const Vec2 v{velocity[0][b] - velocity[0][a], velocity[1][b] - velocity[1][a]};
+  const LineOfCentres line = line_of_centres(r, v);
+  return -v.dot(line.r) / line.length;
 }
 
 std::optional<double> IntegratedSolver::meet_wall(std::uint32_t i, std::uint32_t side) const {

@@ -170,7 +170,7 @@ std::size_t IntegratedSolver::after_search() {
   }
   for (const Find& find : finds_) {
     for (const Meeting& slow : find.slow) {
-      if (slow.before(first)) resting_.push_back(slow);
+      if (slow.at <= first.at) resting_.push_back(slow);
     }
   }
   if (first.at > 1) return next_part();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -35,8 +36,8 @@ namespace carom {
 /// touch, are drawn together and approach slower than what two steps of their acceleration make
 /// rest on each other; so do two whose approach rounding swallows, or that have met too often in a
 /// step. Until the end of the step they are not looked at; there they are stopped and put side by
-/// side. Which balls rest follows from the state at the beginning of the step and from the impacts
-/// in it.
+/// side, see integrated_settling.cpp. Which balls rest follows from the state at the beginning of
+/// the step and from the impacts in it.
 class IntegratedSolver final : public Solver {
  public:
   IntegratedSolver(const Scene& scene, const std::vector<Ball>& balls);
@@ -70,12 +71,16 @@ class IntegratedSolver final : public Solver {
     double at = 2;  // of the piece; beyond 1: there is none
     std::uint32_t i = 0;
     std::uint32_t j = 0;
+    double closing = 0;       // how fast the two come together when the piece begins
     bool to_the_end = false;  // of the step it rests, whatever happens
 
     [[nodiscard]] bool with_wall() const { return j >= kWall; }
     [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> who() const { return {i, j}; }
+    // Of two at the same time the faster one is first: the numbers of the balls decide only between
+    // meetings that are alike.
     [[nodiscard]] bool before(const Meeting& other) const {
-      return at != other.at ? at < other.at : who() < other.who();
+      if (at != other.at) return at < other.at;
+      return closing != other.closing ? closing > other.closing : who() < other.who();
     }
   };
   // All that a run goes on from.
@@ -132,9 +137,27 @@ class IntegratedSolver final : public Solver {
   void strike_wall(const Meeting& meeting);
   void find_resting();
   void settle();
-  bool stop(const Meeting& meeting);
-  bool put_apart(const Meeting& meeting);
+  // What acts on one contact at the end of a step, on copies of its balls; nothing where it does
+  // not act.
+  struct Act {
+    Vec2 normal{0, 0};
+    double distance = 0;
+    double impulse = 0;
+    double depth = 0;
+    Rubbed rubbed;
+  };
+  using Acting = std::optional<Act> (IntegratedSolver::*)(const Meeting&, effects::Member&,
+                                                          effects::Member&) const;
+  [[nodiscard]] std::optional<Act> stop(const Meeting& meeting, effects::Member& a,
+                                        effects::Member& b) const;
+  [[nodiscard]] std::optional<Act> put_apart(const Meeting& meeting, effects::Member& a,
+                                             effects::Member& b) const;
+  void sweep(std::vector<Meeting>& meetings, Acting acting);
+  bool act_on(std::span<const Meeting> alike, Acting acting);
   bool put_inside(effects::Member& ball) const;
+  [[nodiscard]] double closing_speed(const Meeting& meeting,
+                                     const std::array<Balls::Column, 2>& position,
+                                     const std::array<Balls::Column, 2>& velocity) const;
   /// Balls whose centres are nearer than this times the sum of their radii, in their order.
   [[nodiscard]] std::vector<Meeting> near_pairs(double within) const;
   [[nodiscard]] bool rests(const Meeting& meeting) const;
