@@ -36,11 +36,11 @@ bool has_fixed(const Scene& scene) {
 }
 
 RC_GTEST_PROP(Overlap, EnergyNeverGrows, ()) {
-  const Scene scene = any_scene();
+  Scene scene = any_scene();
+  if (*rc::gen::arbitrary<bool>()) scene.effects.friction = Friction{0.5, 0.25};
   Simulation simulation(scene);
   double energy = simulation.measure().energy_initial;
-  // Rounding, and what the forces of islands are not solved to, are relative to the energy there is
-  // to exchange.
+  // Rounding is relative to the energy there is to exchange.
   double scale = 0;
   for (const Ball& ball : scene.balls) {
     scale +=
@@ -50,7 +50,7 @@ RC_GTEST_PROP(Overlap, EnergyNeverGrows, ()) {
   for (int part = 1; part <= 5; ++part) {
     simulation.advance_to(part * 0.2);
     const double now = simulation.measure().energy_final;
-    RC_ASSERT(now <= energy + 1e-11 * scale);
+    RC_ASSERT(now <= energy + 1e-12 * scale);
     energy = now;
   }
 }

@@ -4,13 +4,45 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace carom::contact {
 namespace {
 
+// NOLINTBEGIN(modernize-use-using): `using` drops the attributes
+typedef double Two __attribute__((vector_size(16), aligned(8), may_alias));
+typedef double Four __attribute__((vector_size(32), aligned(8), may_alias));
+// NOLINTEND(modernize-use-using)
+
 std::size_t index(int k) {
   return static_cast<std::size_t>(k);
 }
+
+const Two& two(const double* at) {
+  return *reinterpret_cast<const Two*>(at);
+}
+const Four& four(const double* at) {
+  return *reinterpret_cast<const Four*>(at);
+}
+Four& four(double* at) {
+  return *reinterpret_cast<Four*>(at);
+}
+
+// A column of a block, or a part of the right side.
+template <int D>
+struct Column {
+  Four lanes{};
+
+  static Column of(const double* at) { return {four(at)}; }
+  void put(double* at) const { four(at) = lanes; }
+};
+template <>
+struct Column<2> {
+  Two lanes{};
+
+  static Column of(const double* at) { return {two(at)}; }
+  void put(double* at) const { *reinterpret_cast<Two*>(at) = lanes; }
+};
 
 std::vector<int> least_fill(int n, const std::vector<std::vector<int>>& adjacent) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -31,6 +63,14 @@ std::vector<int> least_fill(int n, const std::vector<std::vector<int>>& adjacent
 
 template <int D>
 void BlockCholesky<D>::analyse(const ContactProblem<D>& problem) {
+  const auto joins = [](const Row<D>& row, const std::pair<int, int>& bodies) {
+    return row.a == bodies.first && row.b == bodies.second;
+  };
+  if (n_ == problem.bodies() &&
+      std::equal(problem.rows.begin(), problem.rows.end(), joined_.begin(), joined_.end(), joins))
+    return;
+  joined_.clear();
+  for (const Row<D>& row : problem.rows) joined_.emplace_back(row.a, row.b);
   n_ = problem.bodies();
   const int n = static_cast<int>(n_);
   std::vector<std::vector<int>> adjacent(n_);
@@ -94,17 +134,45 @@ int BlockCholesky<D>::find(int a, int b) const {
   return static_cast<int>(std::lower_bound(begin, end, i) - row_.begin());
 }
 
+// The same right factor for many products: target -= left right', a column of the target at a time,
+// of 2 x 2 blocks both at once.
 template <int D>
-void BlockCholesky<D>::subtract_product(Block& target, const Block& left, const Block& right) {
-  for (int column = 0; column < D; ++column) {
+class BlockCholesky<D>::Multiplier {
+ public:
+  explicit Multiplier(const Block& right) {
     for (int k = 0; k < D; ++k) {
-      const double factor = right.at(column, k);
-      for (int lane = 0; lane < kLanes; ++lane) {
-        target.v[index(column * kLanes + lane)] -= left.v[index(k * kLanes + lane)] * factor;
+      for (int column = 0; column < D; ++column) {
+        for (int lane = 0; lane < kLanes; ++lane) {
+          factors_[index((k * D + column) * kLanes + lane)] = right.at(column, k);
+        }
       }
     }
   }
-}
+
+  void subtract(Block& target, const Block& left) const {
+    const double* l = left.v.data();
+    const double* f = factors_.data();
+    if constexpr (D == 2) {
+      const Two first = two(l);
+      const Two second = two(l + 2);
+      Four t = four(target.v.data());
+      t -= __builtin_shufflevector(first, first, 0, 1, 0, 1) * four(f);
+      t -= __builtin_shufflevector(second, second, 0, 1, 0, 1) * four(f + 4);
+      four(target.v.data()) = t;
+    } else {
+      for (int column = 0; column < D; ++column) {
+        Four t = four(target.v.data() + column * kLanes);
+        for (int k = 0; k < D; ++k) {
+          t -= four(l + k * kLanes) * four(f + (k * D + column) * kLanes);
+        }
+        four(target.v.data() + column * kLanes) = t;
+      }
+    }
+  }
+
+ private:
+  alignas(32) std::array<double, std::size_t{D} * D * kLanes> factors_{};
+};
 
 template <int D>
 void BlockCholesky<D>::factor(const ContactProblem<D>& problem,
@@ -133,18 +201,20 @@ void BlockCholesky<D>::factor(const ContactProblem<D>& problem,
     }
   }
   std::fill(head_.begin(), head_.end(), -1);
+  // Stores of numbers leave these as they are, which a compiler cannot know of members.
+  const int* const rows = row_.data();
+  Block* const blocks = factor_.data();
+  Block* const work = work_.data();
   for (std::size_t j = 0; j < n_; ++j) {
     const int begin = column_[j];
     const int end = column_[j + 1];
-    for (int q = begin; q < end; ++q) work_[index(row_[index(q)])] = factor_[index(q)];
+    for (int q = begin; q < end; ++q) work[rows[q]] = blocks[q];
     for (int k = head_[j]; k >= 0;) {
       const int following = next_[index(k)];
       int q = cursor_[index(k)];
       const int last = column_[index(k) + 1];
-      const Block right = factor_[index(q)];
-      for (int r = q; r < last; ++r) {
-        subtract_product(work_[index(row_[index(r)])], factor_[index(r)], right);
-      }
+      const Multiplier right(blocks[q]);
+      for (int r = q; r < last; ++r) right.subtract(work[rows[r]], blocks[r]);
       cursor_[index(k)] = ++q;
       if (q < last) {
         const auto waits = index(row_[index(q)]);
@@ -154,11 +224,12 @@ void BlockCholesky<D>::factor(const ContactProblem<D>& problem,
       k = following;
     }
     factor_diagonal(j);
+    const Multiplier inverse(inverse_[j]);
     for (int q = begin + 1; q < end; ++q) {
       Block x{};
-      subtract_product(x, work_[index(row_[index(q)])], inverse_[j]);
+      inverse.subtract(x, work[rows[q]]);
       for (double& value : x.v) value = -value;
-      factor_[index(q)] = x;
+      blocks[q] = x;
     }
     if (begin + 1 < end) {
       cursor_[j] = begin + 1;
@@ -203,28 +274,38 @@ void BlockCholesky<D>::solve(std::vector<double>& x) {
   for (std::size_t i = 0; i < n_; ++i) {
     for (int c = 0; c < D; ++c) parts_[index(place_[i])].v[index(c)] = x[i * D + index(c)];
   }
+  const int* const rows = row_.data();
+  const Block* const blocks = factor_.data();
+  Part* const parts = parts_.data();
   for (std::size_t j = 0; j < n_; ++j) {
     Part y{};
     for (int c = 0; c < D; ++c) {
       for (int e = c; e < D; ++e) y.v[index(e)] += inverse_[j].at(e, c) * parts_[j].v[index(c)];
     }
     parts_[j] = y;
-    for (int q = column_[j] + 1; q < column_[j + 1]; ++q) {
-      Part& target = parts_[index(row_[index(q)])];
-      for (int c = 0; c < D; ++c) {
-        for (int e = 0; e < D; ++e)
-          target.v[index(e)] -= factor_[index(q)].at(e, c) * y.v[index(c)];
-      }
+    Column<D> factors[D];
+    for (int c = 0; c < D; ++c) factors[c].lanes = factors[c].lanes + y.v[index(c)];
+    for (int q = column_[j] + 1, end = column_[j + 1]; q < end; ++q) {
+      const double* block = blocks[q].v.data();
+      double* target = parts[rows[q]].v.data();
+      auto t = Column<D>::of(target);
+      for (int c = 0; c < D; ++c)
+        t.lanes -= Column<D>::of(block + c * kLanes).lanes * factors[c].lanes;
+      t.put(target);
     }
   }
   for (std::size_t j = n_; j-- > 0;) {
-    Part y = parts_[j];
-    for (int q = column_[j] + 1; q < column_[j + 1]; ++q) {
-      const Part& source = parts_[index(row_[index(q)])];
+    Column<D> sums[D];
+    for (int q = column_[j] + 1, end = column_[j + 1]; q < end; ++q) {
+      const double* block = blocks[q].v.data();
+      const auto source = Column<D>::of(parts[rows[q]].v.data());
       for (int c = 0; c < D; ++c) {
-        for (int e = 0; e < D; ++e)
-          y.v[index(c)] -= factor_[index(q)].at(e, c) * source.v[index(e)];
+        sums[c].lanes += Column<D>::of(block + c * kLanes).lanes * source.lanes;
       }
+    }
+    Part y = parts_[j];
+    for (int c = 0; c < D; ++c) {
+      for (int e = 0; e < D; ++e) y.v[index(c)] -= sums[c].lanes[e];
     }
     Part out{};
     for (int c = 0; c < D; ++c) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "contact/contact_rows.hpp"
@@ -17,6 +18,7 @@ namespace carom::contact {
 template <int D>
 class BlockCholesky {
  public:
+  /// Costs next to nothing where the rows join the same bodies as the last time.
   void analyse(const ContactProblem<D>& problem);
   void factor(const ContactProblem<D>& problem, const std::vector<double>& weights);
   /// Turns the right side into the solution, in place.
@@ -32,15 +34,16 @@ class BlockCholesky {
     }
   };
   struct alignas(16) Part {
-    std::array<double, D> v{};
+    std::array<double, kLanes> v{};
   };
+  class Multiplier;
 
-  static void subtract_product(Block& target, const Block& left, const Block& right);
   void factor_diagonal(std::size_t j);
   [[nodiscard]] int find(int a, int b) const;
 
   std::size_t n_ = 0;
-  std::vector<int> place_;   // by body: when it is eliminated
+  std::vector<std::pair<int, int>> joined_;  // by row of the problem: its bodies
+  std::vector<int> place_;                   // by body: when it is eliminated
   std::vector<int> column_;  // where each column starts; its first block is the diagonal one
   std::vector<int> row_;
   std::vector<int> row_place_;  // by row of the problem: its block off the diagonal

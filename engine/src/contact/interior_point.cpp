@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carom::contact {
 namespace {
@@ -11,6 +12,8 @@ constexpr int kIterations = 45;
 constexpr int kMoreIterations = 150;
 constexpr double kCompliance = 1e-13;  // keeps the pivots positive
 constexpr double kAlmost = 0.995;      // of the way to the border
+constexpr double kClosed = 0x1p12;     // a gap that closes slower than this many goals
+constexpr std::size_t kFew = 256;      // rows; of more, guesses fail too often
 
 }  // namespace
 
@@ -113,15 +116,34 @@ int InteriorPoint<D>::iterate(const ContactProblem<D>& problem, double goal, int
 }
 
 template <int D>
+bool InteriorPoint<D>::guess(const ContactProblem<D>& problem, double goal,
+                             std::vector<char> carries, std::vector<double>& impulses,
+                             Outcome& outcome) {
+  const auto tried = active_.solve(problem, matrix_, goal, std::move(carries), impulses);
+  outcome.factorisations += tried.factorisations;
+  if (!tried.solved) return false;
+  outcome.residual = problem.residual(impulses);
+  outcome.solved = true;
+  return true;
+}
+
+template <int D>
 typename InteriorPoint<D>::Outcome InteriorPoint<D>::solve(const ContactProblem<D>& problem,
                                                            double goal,
-                                                           std::vector<double>& impulses) {
+                                                           std::vector<double>& impulses,
+                                                           const std::vector<double>* like) {
   const std::size_t m = problem.rows.size();
+  std::vector<char> first(m);
+  for (std::size_t k = 0; k < m; ++k) {
+    const bool carries = like != nullptr ? (*like)[k] > 0 : problem.rows[k].q < kClosed * goal;
+    first[k] = carries ? 1 : 0;
+  }
   impulses.assign(m, 0.0);
   Outcome best;
   best.residual = problem.residual(impulses);
   if (m == 0 || best.residual < goal) return best;
   matrix_.analyse(problem);
+  if (m <= kFew && guess(problem, goal, std::move(first), impulses, best)) return best;
   for (Column* column : {&x_, &y_, &dx_, &dy_, &other_dx_, &other_dy_, &inverse_x_, &weight_,
                          &miss_, &target_, &scratch_, &opening_}) {
     column->resize(m);

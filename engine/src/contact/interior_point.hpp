@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "contact/active_set.hpp"
 #include "contact/block_cholesky.hpp"
 #include "contact/contact_rows.hpp"
 
@@ -13,7 +14,8 @@ namespace carom::contact {
 /// A primal-dual interior point with Mehrotra's predictor and Gondzio's correctors; its Newton
 /// system is solved in the space of the bodies, (M + J' D J) dv = r, because W of a settled pile is
 /// nearly singular and M + J' D J is not. A start that stalls (a ball a million times heavier than
-/// the next) is tried again with larger impulses.
+/// the next) is tried again with larger impulses.  Where rows are few an active set comes first:
+/// which of many rows carry an impulse can mostly not be guessed.
 ///
 /// Holds: the answer is a function of the problem alone: nothing is kept from solve to solve.
 /// Source: Mehrotra, SIAM J. Optim. 2 (1992) 575; Gondzio, Comput. Optim. Appl. 6 (1996) 137.
@@ -26,8 +28,10 @@ class InteriorPoint {
     int factorisations = 0;
   };
 
-  /// The least impulses >= 0 after which no row closes faster than `goal`, a speed.
-  Outcome solve(const ContactProblem<D>& problem, double goal, std::vector<double>& impulses);
+  /// The least impulses >= 0 after which no row closes faster than `goal`, a speed.  `like`: those
+  /// of a problem that differs little, if there is one.
+  Outcome solve(const ContactProblem<D>& problem, double goal, std::vector<double>& impulses,
+                const std::vector<double>* like = nullptr);
 
  private:
   using Column = std::vector<double>;
@@ -37,7 +41,12 @@ class InteriorPoint {
   void direction(const ContactProblem<D>& problem, Column& dx, Column& dy);
   [[nodiscard]] double longest(const Column& dx, const Column& dy, double part) const;
 
+  /// With `carries` as a guess; adds the factorisations to `outcome`.
+  bool guess(const ContactProblem<D>& problem, double goal, std::vector<char> carries,
+             std::vector<double>& impulses, Outcome& outcome);
+
   BlockCholesky<D> matrix_;
+  ActiveSet<D> active_;
   Column x_;  // impulses
   Column y_;  // opening speeds
   Column dx_, dy_, other_dx_, other_dy_;

@@ -9,11 +9,13 @@
 namespace carom::contact {
 namespace {
 
-constexpr double kSolved = 0x1p-20;  // of the speed that the acceleration makes in a step
-constexpr double kStatic = 0x1p-24;  // the same for what is held at rest
-constexpr double kApart = 0x1p-8;    // how fast what overlaps comes apart
-constexpr double kClosed = 0x1p-14;  // a gap that is none, by the way of that speed in a step
-constexpr double kRounding = 0x1p-40;
+constexpr double kSolved = 0x1p-20;         // of the speed that the acceleration makes in a step
+constexpr double kSolvedRubbing = 0x1p-14;  // the same with friction, as slips are not exact either
+constexpr double kStatic = 0x1p-24;         // the same for what is held at rest
+constexpr double kApart = 0x1p-8;           // how fast what overlaps comes apart
+constexpr double kClosed = 0x1p-14;    // a gap that is none, by the way of that speed in a step
+constexpr double kTolerated = 0x1p-4;  // an overlap that stays where there is friction
+constexpr double kRounding = 0x1p-44;
 constexpr double kSlip = 0x1p-5;
 constexpr double kSlipChange = 0x1p-4;  // how exactly a slip is known
 constexpr int kSlipRounds = 2;
@@ -60,9 +62,17 @@ bool bounces(const std::vector<IslandBody>& bodies, const IslandContact& c,
   return speed > rule.rest_speed && c.gap - rule.step * std::max(closing, speed) < 0;
 }
 
-/// How fast the two may come together so that they touch at the end of the step.  What rounding and
-/// the goal of a solution have let overlap comes apart again.
-double closing_room(const IslandContact& c, const IslandStep::Rule& rule) {
+template <int D>
+constexpr double tolerated() {
+  return D == 3 ? kTolerated : kClosed;
+}
+
+/// How fast the two may come together so that they touch at the end of the step.  An overlap that
+/// is less than `tolerated`, by the way of the speed in a step, stays: what lifts balls out of it
+/// would have to come from somewhere.  A deeper one comes apart again.
+double closing_room(const IslandContact& c, const IslandStep::Rule& rule, double tolerated) {
+  const double way = rule.speed * rule.step;
+  if (c.gap > -tolerated * way && c.gap < kClosed * way) return 0;
   return std::max(c.gap / rule.step, -kApart * rule.speed);
 }
 
@@ -136,8 +146,11 @@ template <int D>
 bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<char>& bounced,
                        const std::vector<double>& slip, IslandOutcome& outcome) {
   pose(work, island, bounced, slip);
-  const double goal = kSolved * island.rule.speed;
-  const bool solved = work.solver.solve(work.problem, goal, work.impulses).solved;
+  const double goal = (D == 3 ? kSolvedRubbing : kSolved) * island.rule.speed;
+  const std::vector<double> last = work.impulses;
+  const bool again = last.size() == work.problem.rows.size();
+  const bool solved =
+      work.solver.solve(work.problem, goal, work.impulses, again ? &last : nullptr).solved;
   work.problem.spread(work.impulses, work.motion, true);
   const std::size_t n = island.bodies.size();
   outcome.after.resize(n);
@@ -184,9 +197,17 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
     return {outcome.after[at(i)], outcome.turning[at(i)]};
   };
   if (first) slip.assign(island.contacts.size(), 0.0);
-  for (std::size_t k = 0; k < slip.size() && first; ++k) slip[k] = slips(k, before);
+  const bool returns = !first && !std::exchange(work.returns, true);
+  if (first) work.returns = false;
+  for (std::size_t k = 0; k < slip.size(); ++k) {
+    if (first) slip[k] = slips(k, before);
+    if (!returns || bounced[k] == 0) continue;
+    // What returns rubs on, as what came did.
+    const double stopped = std::max(slips(k, before) - slip[k], 0.0);
+    slip[k] = std::max(slip[k] - island.contacts[k].restitution * stopped, 0.0);
+  }
   bool solved = false;
-  for (int round = 0; round < kSlipRounds; ++round) {
+  for (int round = 0; round < (first ? kSlipRounds : 1); ++round) {
     solved = solve(work, island, bounced, slip, outcome);
     bool changes = false;
     for (std::size_t k = 0; k < slip.size(); ++k) {
@@ -223,7 +244,9 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
   const std::size_t n = bodies.size();
   outcome.bounced.assign(contacts.size(), 0);
   work.rooms.clear();
-  for (const IslandContact& c : contacts) work.rooms.push_back(closing_room(c, rule));
+  work.impulses.clear();
+  for (const IslandContact& c : contacts)
+    work.rooms.push_back(closing_room(c, rule, tolerated<D>()));
   outcome.solved = solve(work, island, outcome.bounced, outcome);
 
   const IslandOutcome plastic = outcome;
@@ -264,18 +287,27 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
       outcome.mean[i] = (bodies[i].before + outcome.after[i]) / 2;
     }
   }
-  keep_apart(island, plastic.after, outcome.mean);
+  keep_apart(island, plastic.after, D == 3 ? kSolvedRubbing : kSolved, outcome.mean);
+  if (!any && rule.keeps_energy) {
+    // No impact that could return it: what was stopped goes back as it came.
+    for (std::size_t i = 0; i < n; ++i) {
+      outcome.after[i] = 2 * plastic.after[i] - bodies[i].free;
+      outcome.turning[i] = 2 * plastic.turning[i] - bodies[i].turning;
+    }
+    any = true;
+  }
   if (any) {
     hold_energy(island, plastic, outcome);
   } else {
     lose_gain(island, plastic.after, outcome);
   }
+  end_gain(island, outcome);
 }
 
 // By the plastic step no contact closes: whose contacts do close go with it.
-void IslandStep::keep_apart(const Island& island, const std::vector<Vec2>& plastic,
+void IslandStep::keep_apart(const Island& island, const std::vector<Vec2>& plastic, double solved,
                             std::vector<Vec2>& mean) {
-  const double most = 4 * kSolved * island.rule.speed * island.rule.step;
+  const double most = 4 * solved * island.rule.speed * island.rule.step;
   for (bool more = true; std::exchange(more, false);) {
     for (const IslandContact& c : island.contacts) {
       const double end = c.gap + island.rule.step * opening_of(mean, c);
@@ -337,6 +369,45 @@ void IslandStep::lose_gain(const Island& island, const std::vector<Vec2>& plasti
   }
 }
 
+// What is gained still is what solutions are not exact to, and what overlaps that come apart lift:
+// then balls that are held by a wall or a fixed ball go less far, and in the end slower; others do
+// so relative to their centre of mass.
+void IslandStep::end_gain(const Island& island, IslandOutcome& outcome) {
+  const double rounding = kRounding * energy_scale(island.bodies, island.rule);
+  double grown = gain(island.bodies, outcome, island.rule);
+  if (!(grown > rounding)) return;
+  const bool held = std::any_of(island.contacts.begin(), island.contacts.end(),
+                                [](const IslandContact& c) { return c.b < 0; });
+  const auto centre = [&](const std::vector<Vec2>& motion) {
+    Vec2 sum{0, 0};
+    double mass = 0;
+    for (std::size_t i = 0; i < motion.size() && !held; ++i) {
+      sum += motion[i] / island.bodies[i].inverse_mass;
+      mass += 1 / island.bodies[i].inverse_mass;
+    }
+    return held ? Vec2{0, 0} : sum / mass;
+  };
+  const Vec2 way = centre(outcome.mean);
+  const Vec2 speed = centre(outcome.after);
+  double lifting = 0;
+  double moving = 0;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const double mass = 1 / island.bodies[i].inverse_mass;
+    lifting -= mass * island.rule.step * island.rule.acceleration.dot(outcome.mean[i] - way);
+    const double turning = outcome.turning[i];
+    moving += mass * ((outcome.after[i] - speed).squaredNorm() + turning * turning / 2) / 2;
+  }
+  if (lifting > 0) {
+    const double part = std::max(1 - grown / lifting, 0.0);
+    for (Vec2& v : outcome.mean) v = way + part * (v - way);
+    grown -= (1 - part) * lifting;
+  }
+  if (!(grown > rounding) || !(moving > 0)) return;
+  const double part = std::sqrt(std::max(1 - grown / moving, 0.0));
+  for (Vec2& v : outcome.after) v = speed + part * (v - speed);
+  for (double& turning : outcome.turning) turning *= part;
+}
+
 // A contact alone: of a disk the normal impulse does not change the slip, nor the tangential one
 // the approach, so each has its own closed form.
 void IslandStep::take_single(const Island& island, IslandOutcome& outcome) {
@@ -354,7 +425,7 @@ void IslandStep::take_single(const Island& island, IslandOutcome& outcome) {
   }
   const bool bounce = bounces(island.bodies, c, rule);
   const double free = opening_of(motion, c);
-  const double room = closing_room(c, rule);
+  const double room = closing_room(c, rule, kClosed);
   const bool meets = free + room < 0;
   outcome.bounced.assign(1, bounce && meets ? 1 : 0);
   outcome.normal.assign(1, 0.0);
@@ -389,6 +460,15 @@ void IslandStep::take_single(const Island& island, IslandOutcome& outcome) {
   };
   push(a, -1, of_a / (of_a + of_b));
   if (c.b >= 0) push(at(c.b), 1, of_b / (of_a + of_b));
+  if (rule.keeps_energy) {
+    IslandOutcome plastic = outcome;
+    const auto stop = [&](std::size_t body, int side, double share) {
+      plastic.after[body] = island.bodies[body].free + side * share * (-room - free) * c.normal;
+    };
+    stop(a, -1, of_a / (of_a + of_b));
+    if (c.b >= 0) stop(at(c.b), 1, of_b / (of_a + of_b));
+    hold_energy(island, plastic, outcome);
+  }
 }
 
 template <int D>
@@ -398,7 +478,7 @@ bool IslandStep::holds(Work<D>& work, const Island& island) {
   const std::vector<char> bounces(island.contacts.size(), 0);
   work.rooms.clear();
   for (const IslandContact& c : island.contacts) {
-    work.rooms.push_back(closing_room(c, island.rule));
+    work.rooms.push_back(closing_room(c, island.rule, tolerated<D>()));
   }
   pose(work, island, bounces, slip);
   work.solver.solve(work.problem, still / 64, work.impulses);

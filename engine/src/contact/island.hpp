@@ -80,6 +80,7 @@ class IslandStep {
     InteriorPoint<D> solver;
     std::vector<double> rooms;  // how fast each contact may close
     std::vector<double> slips;  // how fast each slides, as far as is known
+    bool returns = false;       // bounces have been reckoned in
     std::vector<double> impulses;
     std::vector<double> motion;
   };
@@ -94,8 +95,9 @@ class IslandStep {
                           IslandOutcome& outcome);
   static void lose_gain(const Island& island, const std::vector<Vec2>& plastic,
                         IslandOutcome& outcome);
-  static void keep_apart(const Island& island, const std::vector<Vec2>& plastic,
+  static void keep_apart(const Island& island, const std::vector<Vec2>& plastic, double solved,
                          std::vector<Vec2>& mean);
+  static void end_gain(const Island& island, IslandOutcome& outcome);
   static void take_single(const Island& island, IslandOutcome& outcome);
   template <int D>
   void take(Work<D>& work, const Island& island, IslandOutcome& outcome);

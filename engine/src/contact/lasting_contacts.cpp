@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "contact/ball_contact.hpp"
@@ -16,6 +17,9 @@ namespace {
 // glide.
 constexpr double kStill = 0x1p-6;
 constexpr double kStillAlone = 0x1p-10;
+// Closer than this after the flight balls are linked, as a part of how far the acceleration takes
+// a ball in a step.
+constexpr double kLinked = 1;
 constexpr double kUnequal = 16;  // masses: the heavier ball lies on the lighter one for long
 
 Vec2 column(const std::array<std::vector<double>, 2>& columns, std::size_t ball) {
@@ -52,6 +56,8 @@ void LastingContacts::wake_all(const Balls& balls) {
   driven_.assign(balls.size(), 0);
   parent_.resize(balls.size());
   island_of_.assign(balls.size(), -1);
+  member_of_.assign(balls.size(), -1);
+  islands_.clear();
   place_.assign(balls.size(), -1);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     start_[axis].resize(balls.size());
@@ -103,8 +109,8 @@ std::uint32_t LastingContacts::root(std::uint32_t ball) {
   return ball;
 }
 
-bool LastingContacts::overlap(const Balls& balls, const Pair& pair) const {
-  const double reach = balls.radius[pair.first] + balls.radius[pair.second];
+bool LastingContacts::closer(const Balls& balls, const Pair& pair, double gap) const {
+  const double reach = balls.radius[pair.first] + balls.radius[pair.second] + gap;
   return nearest_image(balls.at(pair.second) - balls.at(pair.first), domain_).squaredNorm() <
          reach * reach;
 }
@@ -145,21 +151,42 @@ void LastingContacts::wake_struck(Balls& balls, std::span<const Pair> near) {
 
 void LastingContacts::form(Balls& balls, std::span<const Pair> near,
                            std::span<const std::uint32_t> out) {
+  for (const Island& island : islands_) {
+    for (const Member& member : island.members) member_of_[member.ball] = -1;
+  }
   islands_.clear();
-  largest_ = 0;
+  linked_.clear();
   if (near.empty() && out.empty()) return;
-  std::vector<std::uint32_t> beyond(out.begin(), out.end());
+  seeds_.assign(out.begin(), out.end());
   if (sleepers_ > 0) wake_struck(balls, near);
   if (sleepers_ > 0 || woken_ > 0) {
     for (std::uint32_t i = 0; i < slept_.size(); ++i) {
-      if (slept_[i] != asleep_[i]) beyond.push_back(i);  // it is solved, wherever it lies
+      if (slept_[i] != asleep_[i]) seeds_.push_back(i);  // it is solved, wherever it lies
     }
   }
-  const auto moves = [&](std::uint32_t i) { return !balls.fixed(i) && asleep_[i] == 0; };
-  std::vector<std::uint32_t> touched = beyond;
+  assemble(balls, near, kLinked * rule_.acceleration.norm() * rule_.step * rule_.step);
+}
+
+// The islands of the seeds and of balls that overlap, among balls that are of no island yet.
+void LastingContacts::assemble(const Balls& balls, std::span<const Pair> near, double gap) {
+  const auto open = [&](std::uint32_t i) { return moves(balls, i) && member_of_[i] < 0; };
+  std::vector<std::uint32_t> touched = seeds_;
+  std::vector<Pair> links;
   for (const Pair& pair : near) {
-    if (moves(pair.first)) touched.push_back(pair.first);
-    if (moves(pair.second)) touched.push_back(pair.second);
+    const bool first = open(pair.first);
+    const bool second = open(pair.second);
+    if (first && second) {
+      if (!closer(balls, pair, gap) && !std::binary_search(linked_.begin(), linked_.end(), pair))
+        continue;
+      links.push_back(pair);
+      touched.push_back(pair.first);
+      touched.push_back(pair.second);
+      if (overlap(balls, pair)) seeds_.push_back(pair.first);
+    } else if ((first && !moves(balls, pair.second)) || (second && !moves(balls, pair.first))) {
+      if (!overlap(balls, pair)) continue;
+      touched.push_back(first ? pair.first : pair.second);
+      seeds_.push_back(touched.back());
+    }
   }
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
@@ -167,48 +194,85 @@ void LastingContacts::form(Balls& balls, std::span<const Pair> near,
     parent_[i] = i;
     island_of_[i] = -1;
   }
-  for (const Pair& pair : near) {
-    if (!moves(pair.first) || !moves(pair.second)) continue;
+  for (const Pair& pair : links) {
     const std::uint32_t a = root(pair.first);
     const std::uint32_t b = root(pair.second);
     if (a != b) parent_[std::max(a, b)] = std::min(a, b);
   }
-  const auto seed = [&](std::uint32_t ball) {
-    const std::uint32_t r = root(ball);
-    if (island_of_[r] >= 0) return;
-    island_of_[r] = static_cast<int>(islands_.size());
+  const std::size_t first_island = islands_.size();
+  for (const std::uint32_t i : seeds_) {
+    int& island = island_of_[root(i)];
+    if (!open(i) || island >= 0) continue;
+    island = static_cast<int>(islands_.size());
     islands_.emplace_back();
-  };
-  for (const std::uint32_t i : beyond) {
-    if (moves(i)) seed(i);
-  }
-  for (const Pair& pair : near) {
-    const bool first = moves(pair.first);
-    if ((first || moves(pair.second)) && overlap(balls, pair)) {
-      seed(first ? pair.first : pair.second);
-    }
   }
   for (const std::uint32_t i : touched) {
     const int island = island_of_[root(i)];
     if (island >= 0) add_member(islands_[static_cast<std::size_t>(island)], balls, i);
   }
-  number_members();
+  number_members(first_island);
   for (const Pair& pair : near) {
-    const bool first = moves(pair.first);
-    const bool second = moves(pair.second);
+    const bool first = moves(balls, pair.first);
+    const bool second = moves(balls, pair.second);
     if (!first && !second) continue;
-    const int number = island_of_[root(first ? pair.first : pair.second)];
-    if (number < 0) continue;
+    const int number = member_of_[first ? pair.first : pair.second];
+    if (number < static_cast<int>(first_island)) continue;
+    if (first && second && member_of_[pair.second] != number) continue;
     const int a = first ? place_[pair.first] : -1;
     const int b = second ? place_[pair.second] : -1;
     add_pair(islands_[static_cast<std::size_t>(number)], balls, a, b, pair);
   }
-  for (Island& island : islands_) {
+  for (std::size_t k = first_island; k < islands_.size(); ++k) {
+    Island& island = islands_[k];
     if (has_walls())
       add_wall_contacts(island, domain_, {rule_.wall_restitution, rule_.wall_friction}, driven_);
     island.lay_out(rule_.acceleration, rule_.step);
-    largest_ = std::max(largest_, island.members.size());
   }
+}
+
+void LastingContacts::find_crossing(const Balls& balls, std::span<const Pair> near,
+                                    std::vector<Pair>& crossing) const {
+  for (const Pair& pair : near) {
+    if (member_of_[pair.first] == member_of_[pair.second]) continue;
+    if (!moves(balls, pair.first) || !moves(balls, pair.second)) continue;
+    if (overlap(balls, pair)) crossing.push_back(pair);
+  }
+}
+
+void LastingContacts::join(Balls& balls, std::span<const Pair> near, std::span<const Pair> crossing,
+                           bool all) {
+  std::vector<char> opened(islands_.size(), all ? 1 : 0);
+  const auto open = [&](std::uint32_t ball) {
+    if (member_of_[ball] >= 0) opened[static_cast<std::size_t>(member_of_[ball])] = 1;
+    if (moves(balls, ball)) seeds_.push_back(ball);
+  };
+  seeds_.clear();
+  for (const Pair& pair : crossing) {
+    open(pair.first);
+    open(pair.second);
+  }
+  std::vector<Island> kept;
+  for (std::size_t k = 0; k < islands_.size(); ++k) {
+    Island& island = islands_[k];
+    if (opened[k] == 0 && !island.driven) {
+      for (const Member& member : island.members) {
+        member_of_[member.ball] = static_cast<int>(kept.size());
+      }
+      kept.push_back(std::move(island));
+      continue;
+    }
+    undo(balls, island);
+    for (const Member& member : island.members) {
+      member_of_[member.ball] = -1;
+      seeds_.push_back(member.ball);
+    }
+  }
+  islands_ = std::move(kept);
+  linked_.insert(linked_.end(), crossing.begin(), crossing.end());
+  std::sort(linked_.begin(), linked_.end());
+  double gap = kLinked * rule_.acceleration.norm() * rule_.step * rule_.step;
+  if (all) gap = std::numeric_limits<double>::infinity();
+  assemble(balls, near, gap);
 }
 
 void LastingContacts::add_member(Island& island, const Balls& balls, std::uint32_t ball) {
@@ -227,9 +291,11 @@ void LastingContacts::add_member(Island& island, const Balls& balls, std::uint32
   island.members.push_back(member);
 }
 
-void LastingContacts::number_members() {
-  for (const Island& island : islands_) {
+void LastingContacts::number_members(std::size_t first_island) {
+  for (std::size_t number = first_island; number < islands_.size(); ++number) {
+    const Island& island = islands_[number];
     for (std::size_t k = 0; k < island.members.size(); ++k) {
+      member_of_[island.members[k].ball] = static_cast<int>(number);
       place_[island.members[k].ball] = static_cast<int>(k);
     }
   }
@@ -294,9 +360,10 @@ void LastingContacts::put(Balls& balls, Member& member, const Vec2& place, const
 }
 
 void LastingContacts::resolve(std::size_t number, Balls& balls, bool may_sleep, IslandStep& step,
-                              Count& count, ImpactLog& log) {
+                              const ImpactLog& log) {
   thread_local IslandOutcome outcome;
   Island& island = islands_[number];
+  if (std::exchange(island.resolved, true)) return;
   const IslandStep::Rule rule = step_rule(island.frame);
   const bool spins = balls.spin.size() > 0;
   step.take(island.bodies, island.contacts, spins, rule, outcome);
@@ -305,7 +372,7 @@ void LastingContacts::resolve(std::size_t number, Balls& balls, bool may_sleep, 
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     slow = slow && outcome.bounced[k] == 0;
     if (outcome.bounced[k] == 0) continue;
-    ++(island.sources[k].wall ? count.ball_wall : count.ball_ball);
+    ++(island.sources[k].wall ? island.ball_wall : island.ball_ball);
   }
   for (std::size_t m = 0; m < island.members.size() && slow; ++m) {
     const Vec2& v = outcome.after[m];
@@ -337,10 +404,13 @@ void LastingContacts::resolve(std::size_t number, Balls& balls, bool may_sleep, 
     const Member& b = island.members[static_cast<std::size_t>(c.b)];
     const double reach = balls.radius[a.ball] + balls.radius[b.ball];
     const double distance = nearest_image(balls.at(b.ball) - balls.at(a.ball), domain_).norm();
-    count.deepest = std::max(count.deepest, (reach - distance) / island.sources[k].smaller);
+    island.deepest = std::max(island.deepest, (reach - distance) / island.sources[k].smaller);
   }
   island.lost = lost_by(island, balls, domain_, rule_.acceleration);
-  if (log.wanted) note_contacts(island, balls, outcome, log);
+  if (!log.wanted) return;
+  ImpactLog noted{true, log.time, {}};
+  note_contacts(island, balls, outcome, noted);
+  island.impacts = std::move(noted.impacts);
 }
 
 double LastingContacts::farthest_push() const {
@@ -354,22 +424,24 @@ bool LastingContacts::any_driven() const {
                      [](const Island& island) { return island.driven; });
 }
 
-void LastingContacts::undo(Balls& balls) {
-  for (const Island& island : islands_) {
-    for (const Member& member : island.members) {
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        balls.position[axis][member.ball] = member.flown[axis];
-        balls.velocity[axis][member.ball] = member.flown_velocity[axis];
-        if (!turns_[axis].empty()) turns_[axis][member.ball] -= member.turned[axis];
-      }
-      if (balls.spin.size() > 0) balls.spin[member.ball] = member.spin;
+void LastingContacts::undo(Balls& balls, const Island& island) {
+  for (const Member& member : island.members) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      balls.position[axis][member.ball] = member.flown[axis];
+      balls.velocity[axis][member.ball] = member.flown_velocity[axis];
+      if (!turns_[axis].empty()) turns_[axis][member.ball] -= member.turned[axis];
     }
+    if (balls.spin.size() > 0) balls.spin[member.ball] = member.spin;
   }
 }
 
-void LastingContacts::settle(std::span<double> lost) {
+void LastingContacts::settle(std::span<double> lost, Count& count, ImpactLog& log) {
   woken_ = 0;
   for (const Island& island : islands_) {
+    count.ball_ball += island.ball_ball;
+    count.ball_wall += island.ball_wall;
+    count.deepest = std::max(count.deepest, island.deepest);
+    log.impacts.insert(log.impacts.end(), island.impacts.begin(), island.impacts.end());
     for (const Member& member : island.members) driven_[member.ball] = 0;
     if (!lost.empty()) lost[island.members.front().ball] += island.lost;
     if (!island.sleeps) continue;
@@ -405,7 +477,7 @@ void LastingContacts::find_asleep(const Balls& balls, std::span<const Pair> near
     }
     add_member(islands_[static_cast<std::size_t>(island_of_[root(i)])], balls, i);
   }
-  number_members();
+  number_members(0);
   for (const Pair& pair : near) {
     const bool first = still[pair.first] != 0;
     const bool second = still[pair.second] != 0;
@@ -425,7 +497,12 @@ void LastingContacts::find_asleep(const Balls& balls, std::span<const Pair> near
     island.sleeps =
         step.holds(island.bodies, island.contacts, balls.spin.size() > 0, step_rule(island.frame));
   }
-  settle({});
+  Count count;
+  ImpactLog log;
+  settle({}, count, log);
+  for (const Island& island : islands_) {
+    for (const Member& member : island.members) member_of_[member.ball] = -1;
+  }
   islands_.clear();
 }
 

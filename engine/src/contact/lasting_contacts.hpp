@@ -36,7 +36,9 @@ struct LastingRule {
 /// The islands of balls that touch in a step of method `overlap`, and which balls are asleep.
 ///
 /// In each step every ball flies free; balls that then overlap, or are beyond a wall, form islands
-/// with all that are near them, and an island is solved as a whole from where it was at the start.
+/// with all that then touch or nearly do, and an island is solved as a whole from where it was at
+/// the start.  Where a solution brings a ball into one that is near but of no or of another island,
+/// those are put back, joined and solved again; so what is merely near costs nothing.
 /// Balls that stand still and that forces within the friction cones can hold are asleep: they are
 /// part of no island, until a ball that is awake comes into one of them.
 ///
@@ -45,7 +47,7 @@ struct LastingRule {
 /// Threads: islands of one step are resolved at the same time; the rest by one thread.
 class LastingContacts {
  public:
-  /// Balls within this part of their reach of each other, or of a wall, are of one island.
+  /// Balls within this part of their reach of each other are near.
   static constexpr double kNear = 0.125;
 
   struct Count {
@@ -74,19 +76,24 @@ class LastingContacts {
   /// Finds the islands.  `near`: pairs that are near after the flight, in order.
   void form(Balls& balls, std::span<const Pair> near, std::span<const std::uint32_t> out);
   [[nodiscard]] std::size_t islands() const { return islands_.size(); }
-  [[nodiscard]] std::size_t largest() const { return largest_; }
-  /// May it fall asleep: this is asked at some steps only.
-  void resolve(std::size_t island, Balls& balls, bool may_sleep, IslandStep& step, Count& count,
-               ImpactLog& log);
+  /// Solves an island, unless that has been done.  May it fall asleep: this is asked at some steps
+  /// only.
+  void resolve(std::size_t island, Balls& balls, bool may_sleep, IslandStep& step,
+               const ImpactLog& log);
   /// The farthest that a ball came to be from where it had flown.
   [[nodiscard]] double farthest_push() const;
+  /// Adds the near pairs that overlap now, but are of no island or of two.
+  void find_crossing(const Balls& balls, std::span<const Pair> near,
+                     std::vector<Pair>& crossing) const;
   /// Whether a ball was driven beyond a wall that was not near.
   [[nodiscard]] bool any_driven() const;
-  /// Puts the balls of all islands back to where they had flown.
-  void undo(Balls& balls);
-  /// Ends a step: counts who has fallen asleep, and adds what each island has lost to one of its
-  /// balls, unless `lost` is empty.
-  void settle(std::span<double> lost);
+  /// Puts the balls back to where they had flown whose islands are of these pairs, or have been
+  /// driven beyond a wall, and finds their islands again, in which these pairs are linked.
+  /// `all`: the balls of all islands, and all near pairs are linked.
+  void join(Balls& balls, std::span<const Pair> near, std::span<const Pair> crossing, bool all);
+  /// Ends a step: counts who has fallen asleep and what happened, and adds what each island has
+  /// lost to one of its balls, unless `lost` is empty.
+  void settle(std::span<double> lost, Count& count, ImpactLog& log);
 
  private:
   using Island = LastingIsland;
@@ -95,11 +102,19 @@ class LastingContacts {
   [[nodiscard]] std::uint32_t root(std::uint32_t ball);
   void wake_struck(Balls& balls, std::span<const Pair> near);
   void wake(Balls& balls, std::uint32_t ball);
-  [[nodiscard]] bool overlap(const Balls& balls, const Pair& pair) const;
+  [[nodiscard]] bool overlap(const Balls& balls, const Pair& pair) const {
+    return closer(balls, pair, 0);
+  }
+  [[nodiscard]] bool closer(const Balls& balls, const Pair& pair, double gap) const;
+  [[nodiscard]] bool moves(const Balls& balls, std::uint32_t ball) const {
+    return !balls.fixed(ball) && asleep_[ball] == 0;
+  }
+  void assemble(const Balls& balls, std::span<const Pair> near, double gap);
+  void undo(Balls& balls, const Island& island);
   void add_member(Island& island, const Balls& balls, std::uint32_t ball);
   void add_pair(Island& island, const Balls& balls, int a, int b, const Pair& pair) const;
   [[nodiscard]] bool has_walls() const { return domain_.solid(0) || domain_.solid(1); }
-  void number_members();
+  void number_members(std::size_t first_island);
   [[nodiscard]] IslandStep::Rule step_rule(const Frame& frame) const;
   void put(Balls& balls, Member& member, const Vec2& place, const Vec2& velocity, double spin);
 
@@ -117,9 +132,11 @@ class LastingContacts {
   std::size_t woken_ = 0;  // in this step
   std::vector<std::uint32_t> parent_;
   std::vector<int> island_of_;  // by root ball
-  std::vector<int> place_;      // by ball: its number in its island
+  std::vector<int> member_of_;  // by ball: its island; less than 0: none
+  std::vector<int> place_;      // by ball: its number there
   std::vector<Island> islands_;
-  std::size_t largest_ = 0;
+  std::vector<std::uint32_t> seeds_;  // whose islands are to be found
+  std::vector<Pair> linked_;          // in this step, though they do not touch after the flight
 };
 
 }  // namespace carom::contact

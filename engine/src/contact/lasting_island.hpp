@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "carom/impact.hpp"
 #include "carom/vector.hpp"
 #include "contact/island.hpp"
 
@@ -57,10 +58,15 @@ struct LastingIsland {
   std::vector<Source> sources;
   std::vector<IslandBody> bodies;  // in the frame
   Frame frame;
+  bool resolved = false;
   bool sleeps = false;
   bool driven = false;  // a ball of it, beyond a wall that was not near
   double push = 0;
-  double lost = 0;  // energy, beside what flight took
+  double lost = 0;              // energy, beside what flight took
+  std::uint64_t ball_ball = 0;  // impacts with their restitution
+  std::uint64_t ball_wall = 0;
+  double deepest = 0;  // overlap at the end of the step, by the smaller radius
+  std::vector<Impact> impacts;
 
   void add_contact(const IslandContact& contact, const Source& source) {
     contacts.push_back(contact);

@@ -288,17 +288,15 @@ std::size_t OverlapSolver::after_detection() {
 }
 
 std::size_t OverlapSolver::form_islands() {
-  if (rounds_ == 0) {
-    out_.clear();
-    for (const Desk& desk : desks_) out_.insert(out_.end(), desk.out.begin(), desk.out.end());
-    if (!collides()) touching_.clear();
-  }
-  ++rounds_;
-  for (Desk& desk : desks_) {
-    desk.settled = desk.lasting;
-    desk.noted = desk.impacts.log.impacts.size();
-  }
+  out_.clear();
+  for (const Desk& desk : desks_) out_.insert(out_.end(), desk.out.begin(), desk.out.end());
+  if (!collides()) touching_.clear();
+  rounds_ = 0;
   contacts_.form(balls_, touching_, out_);
+  return resolve_islands();
+}
+
+std::size_t OverlapSolver::resolve_islands() {
   const bool share_out =
       desks_.size() > 1 && contacts_.islands() > 1 && touching_.size() >= OverlapPlan::kSharedPairs;
   if (resolve_ && share_out) return *resolve_;
@@ -309,24 +307,39 @@ std::size_t OverlapSolver::form_islands() {
 void OverlapSolver::resolve_island(std::size_t island, Desk& desk) {
   // Every few steps an island may be found to be at rest.
   constexpr std::uint64_t kAsked = 4;
-  contacts_.resolve(island, balls_, !attract_ && steps_ % kAsked == 0, desk.island, desk.lasting,
+  contacts_.resolve(island, balls_, !attract_ && steps_ % kAsked == 0, desk.island,
                     desk.impacts.log);
 }
 
 std::size_t OverlapSolver::after_islands() {
-  if (collides() && find_new_overlaps()) return form_islands();
-  contacts_.settle(loses() ? std::span<double>(lost_) : std::span<double>());
-  rounds_ = 0;
+  if (join_islands()) return resolve_islands();
+  Desk& desk = desks_.front();
+  contacts_.settle(loses() ? std::span<double>(lost_) : std::span<double>(), desk.lasting,
+                   desk.impacts.log);
   return after_impacts();
 }
 
-// Balls that were pushed far may have come to others that were not near: then all is solved again
-// with them.
-bool OverlapSolver::find_new_overlaps() {
+// Where a solution brings balls together that it has not looked at, all are solved again with
+// them: first those alone, then, rather than follow a push from ball to ball, all that are near.
+bool OverlapSolver::join_islands() {
   constexpr int kRounds = 6;
-  const double push = contacts_.farthest_push();
+  constexpr int kRoundsAlone = 2;
+  if (contacts_.islands() == 0 || rounds_ >= kRounds) return false;
+  std::vector<Pair> crossing;
+  if (collides()) {
+    contacts_.find_crossing(balls_, touching_, crossing);
+    find_far_overlaps(crossing);
+  }
+  if (crossing.empty() && !contacts_.any_driven()) return false;
+  contacts_.join(balls_, touching_, crossing, rounds_ >= kRoundsAlone);
+  ++rounds_;
+  return true;
+}
+
+// Balls that were pushed far may have come to others that were not near.
+void OverlapSolver::find_far_overlaps(std::vector<Pair>& fresh) {
   const double slack = 2 * contact::LastingContacts::kNear * smallest_radius_;
-  if (!(2 * push >= slack) || rounds_ >= kRounds) return false;
+  if (!(2 * contacts_.farthest_push() >= slack)) return;
   std::vector<Pair> found;
   const auto look = [&](const PairList& pairs) {
     find_touching(pairs, 0, pairs.count, balls_, domain_.period, 1, found);
@@ -342,18 +355,12 @@ bool OverlapSolver::find_new_overlaps() {
     for (const Desk& desk : desks_) look(desk.neighbours);
   }
   std::sort(found.begin(), found.end());
-  std::vector<Pair> fresh;
+  const std::size_t crossing = fresh.size();
   std::set_difference(found.begin(), found.end(), touching_.begin(), touching_.end(),
                       std::back_inserter(fresh));
-  if (fresh.empty() && !contacts_.any_driven()) return false;
-  contacts_.undo(balls_);
-  for (Desk& desk : desks_) {
-    desk.lasting = desk.settled;
-    desk.impacts.log.impacts.resize(desk.noted);
-  }
-  touching_.insert(touching_.end(), fresh.begin(), fresh.end());
+  touching_.insert(touching_.end(), fresh.begin() + static_cast<std::ptrdiff_t>(crossing),
+                   fresh.end());
   std::sort(touching_.begin(), touching_.end());
-  return true;
 }
 
 std::vector<Pair> OverlapSolver::near_pairs() {

@@ -81,8 +81,6 @@ class OverlapSolver final : public Solver {
     std::vector<std::uint32_t> out;  // beyond a wall, where contacts last
     contact::IslandStep island;
     contact::LastingContacts::Count lasting;
-    contact::LastingContacts::Count settled;  // as it was before the islands of this step
-    std::size_t noted = 0;                    // and how many impacts had been noted
     effects::ImpactCount impacts;
     double deepest = 0;
     double moved_square = 0;  // of the ball that has moved farthest since the list was built
@@ -102,8 +100,10 @@ class OverlapSolver final : public Solver {
   [[nodiscard]] std::size_t after_flight();
   [[nodiscard]] std::size_t after_detection();
   [[nodiscard]] std::size_t form_islands();
+  [[nodiscard]] std::size_t resolve_islands();
   [[nodiscard]] std::size_t after_islands();
-  [[nodiscard]] bool find_new_overlaps();
+  [[nodiscard]] bool join_islands();
+  void find_far_overlaps(std::vector<Pair>& fresh);
   void resolve_island(std::size_t island, Desk& desk);
   [[nodiscard]] std::vector<Pair> near_pairs();
   [[nodiscard]] std::size_t after_impacts();
@@ -157,7 +157,7 @@ class OverlapSolver final : public Solver {
   contact::LastingContacts contacts_{domain_, lasting_rule_, turns_};
   bool lasting_ = false;      // contacts that last are looked for
   bool know_asleep_ = false;  // who is asleep has been found
-  int rounds_ = 0;            // of this step: how often its islands have been formed
+  int rounds_ = 0;            // of this step: how often islands have been joined
   std::vector<std::uint32_t> out_;
   PairList all_pairs_;
   CellGrid grid_;

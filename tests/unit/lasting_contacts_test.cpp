@@ -1,0 +1,111 @@
+#include "contact/lasting_contacts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace carom::contact {
+namespace {
+
+// Balls of radius 1/2 on a floor, under gravity of size 8, in steps of 1/64.
+struct Floor {
+  explicit Floor(const std::vector<Ball>& list)
+      : effects(effects_of()), domain({20, 20}, true), balls(list, effects) {
+    rule.step = 1.0 / 64;
+    rule.acceleration = {0, -8};
+    rule.fall = {0, -8 * rule.step * rule.step / 2};
+    rule.gain = {0, -8 * rule.step};
+    rule.restitution = rule.wall_restitution = 0.5;
+    rule.rest_speed = 16 * rule.step;
+    contacts.wake_all(balls);
+  }
+
+  static Effects effects_of() {
+    Effects made;
+    made.walls = Walls{0.5};
+    made.collisions = Collisions{0.5};
+    made.gravity = Gravity{{0, -8}};
+    return made;
+  }
+
+  // A flight, and the islands after it.
+  void fly() {
+    contacts.begin(balls, 0, balls.size());
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        balls.position[axis][i] += rule.step * balls.velocity[axis][i] + rule.fall[axis];
+        balls.velocity[axis][i] += rule.gain[axis];
+      }
+    }
+    std::vector<std::uint32_t> out;
+    contacts.end(balls, 0, balls.size(), out);
+    for (std::uint32_t i = 0; i + 1 < balls.size(); ++i) near.push_back({i, i + 1});
+    contacts.form(balls, near, out);
+  }
+
+  void resolve() {
+    for (std::size_t k = 0; k < contacts.islands(); ++k) {
+      contacts.resolve(k, balls, false, step, ImpactLog{});
+    }
+  }
+
+  std::vector<Pair> crossing() {
+    std::vector<Pair> found;
+    contacts.find_crossing(balls, near, found);
+    return found;
+  }
+
+  Effects effects;
+  Domain domain;
+  Balls balls;
+  LastingRule rule;
+  Turns turns;
+  LastingContacts contacts{domain, rule, turns};
+  IslandStep step;
+  std::vector<Pair> near;
+};
+
+TEST(LastingContacts, BallsThatAreMerelyNearAreOfTwoIslands) {
+  Floor apart({Ball{{5, 0.5}}, Ball{{6.05, 0.5}}});
+  apart.fly();
+  EXPECT_EQ(apart.contacts.islands(), 2U);
+  apart.resolve();
+  EXPECT_TRUE(apart.crossing().empty());
+  Floor touching({Ball{{5, 0.5}}, Ball{{6, 0.5}}});
+  touching.fly();
+  EXPECT_EQ(touching.contacts.islands(), 1U);
+}
+
+TEST(LastingContacts, APushThatComesToANearBallJoinsItsIsland) {
+  // The second ball is driven on by the first one, 1/16 in the step, over a gap of 1/64.
+  Floor row({Ball{{5, 0.5}, {8, 0}}, Ball{{6.03125, 0.5}}, Ball{{7.046875, 0.5}}});
+  row.fly();
+  ASSERT_EQ(row.contacts.islands(), 2U);
+  row.resolve();
+  const std::vector<Pair> crossing = row.crossing();
+  ASSERT_EQ(crossing, (std::vector<Pair>{{1, 2}}));
+  row.contacts.join(row.balls, row.near, crossing, false);
+  EXPECT_EQ(row.contacts.islands(), 1U);
+  row.resolve();
+  EXPECT_TRUE(row.crossing().empty());
+  // What one pushes the other takes.
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) sum += row.balls.velocity[0][i];
+  EXPECT_NEAR(sum, 8, 1e-12);
+  EXPECT_GT(row.balls.velocity[0][2], 1);
+}
+
+TEST(LastingContacts, JoiningLeavesOtherIslandsAsTheyAre) {
+  Floor row({Ball{{5, 0.5}, {8, 0}}, Ball{{6.03125, 0.5}}, Ball{{7.046875, 0.5}}, Ball{{12, 0.5}}});
+  row.fly();
+  ASSERT_EQ(row.contacts.islands(), 3U);
+  row.resolve();
+  const double height = row.balls.position[1][3];
+  row.contacts.join(row.balls, row.near, row.crossing(), false);
+  EXPECT_EQ(row.contacts.islands(), 2U);
+  EXPECT_EQ(row.balls.position[1][3], height);
+  EXPECT_EQ(row.balls.velocity[1][3], 0);
+}
+
+}  // namespace
+}  // namespace carom::contact
