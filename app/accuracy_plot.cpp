@@ -13,10 +13,10 @@ namespace {
 
 constexpr int kColumns = 64;
 constexpr int kRows = 18;
-constexpr int kEvery = 3;      // rows with a number beside them
-constexpr int kMargin = 10;    // of the numbers
-constexpr int kDouble = 16;    // digits: what needs more is drawn at the lower edge
-constexpr double kRoom = 0.5;  // decades below the lowest mark
+constexpr int kRowsToNumber = 3;     // rows with a number beside them
+constexpr int kMargin = 10;          // of the numbers
+constexpr int kDigitsOfDouble = 16;  // digits: what needs more is drawn at the lower edge
+constexpr double kRoom = 0.5;        // decades below the lowest mark
 
 struct Mark {
   double x = 0;  // decimal logarithms
@@ -79,7 +79,7 @@ std::vector<Mark> marks_of(const AccuracyStudy& study) {
     mark.method = row.method;
     mark.line = row.workers == first.workers && row.per_ball == first.per_ball;
     mark.best = best[i];
-    mark.below = *value == 0 || (!by_horizon && row.digits > kDouble);
+    mark.below = *value == 0 || (!by_horizon && row.digits > kDigitsOfDouble);
     mark.y = mark.below ? 0 : std::log10(*value);
     marks.push_back(mark);
   }
@@ -154,17 +154,17 @@ std::string to_plot(const AccuracyStudy& study) {
     std::string number;
     if (below && row == kRows - 1) {
       number = "0 or less";
-    } else if (row % kEvery == 0) {
+    } else if (row % kRowsToNumber == 0) {
       number = fmt::format("{:.1e}", std::pow(10.0, y->low + part * (y->high - y->low)));
     }
     std::string line = fmt::format("{:>{}} |{}", number, kMargin - 1, sheet.row(row));
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + '\n';
   }
-  text += std::string(kMargin, ' ') + '+' + std::string(kColumns, '-') + '\n';
-  text += std::string(kMargin + 1, ' ') + decades(x) + '\n';
-  text += std::string(kMargin + 1, ' ') +
-          "seconds per simulated second; o overlap, e event, O E the Pareto front\n";
+  const std::string margin(kMargin, ' ');
+  text += fmt::format("{}+{}\n{} {}\n", margin, std::string(kColumns, '-'), margin, decades(x));
+  text += fmt::format("{} seconds per simulated second; o overlap, e event, O E the Pareto front\n",
+                      margin);
   return text;
 }
 

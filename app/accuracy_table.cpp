@@ -11,8 +11,8 @@
 namespace carom {
 namespace {
 
-constexpr double kRounding = 1e-9;
-constexpr double kPercent = 100;
+constexpr double kWholeEnough = 1e-9;
+constexpr double kToPercent = 100;
 
 using Line = std::vector<std::string>;
 
@@ -23,7 +23,7 @@ std::string or_lost(const std::optional<double>& error, const char* otherwise) {
 /// The range of the middle half of the repeats, as a part of their median.
 std::string spread_text(const AccuracyRow& row) {
   if (row.seconds <= 0) return "-";
-  return fmt::format("{:.0f} %", (row.quartiles[1] - row.quartiles[0]) / row.seconds * kPercent);
+  return fmt::format("{:.0f} %", (row.quartiles[1] - row.quartiles[0]) / row.seconds * kToPercent);
 }
 
 std::string horizon_text(const AccuracyRow& row) {
@@ -122,7 +122,7 @@ std::string resolution_text(const AccuracyStudy& study) {
       "  horizon (predictability horizon): when a ball is first seen more than {:.3g} away from "
       "the "
       "reference; compared every {}\n",
-      study.smallest_radius / kPercent, range);
+      study.smallest_radius / kToPercent, range);
 }
 
 std::vector<Line> headings(bool rest) {
@@ -152,7 +152,7 @@ std::string duration_text(double seconds) {
 
 std::string step_text(double step) {
   const double parts = 1 / step;
-  if (parts > 1 && std::abs(parts - std::rint(parts)) < kRounding * parts) {
+  if (parts > 1 && std::abs(parts - std::rint(parts)) < kWholeEnough * parts) {
     return fmt::format("1/{:.0f} s", std::rint(parts));
   }
   return fmt::format("{:.4g} s", step);
@@ -223,7 +223,7 @@ std::string to_table(const AccuracyStudy& study) {
   if (const std::optional<double> share = study.processor_share()) {
     text += fmt::format(
         "  busy machine: the runs got {:.0f} % of the processor; compare the CPU times\n",
-        *share * kPercent);
+        *share * kToPercent);
   }
   return text;
 }

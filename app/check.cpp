@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "load_scene.hpp"
 #include "standard_streams.hpp"
+#include "text/counted.hpp"
 #include "warnings.hpp"
 
 namespace carom {
@@ -72,17 +73,13 @@ std::string sides(const Scene& scene) {
   return solid;
 }
 
-std::string counted(std::size_t n, const char* one, const char* more) {
-  return fmt::format("{} {}", n, n == 1 ? one : more);
-}
-
 std::string threads(const Scene& scene, const Footprint& footprint) {
   return fmt::format("{}: the control thread and {}{}", footprint.workers + 1,
                      counted(footprint.workers, "worker", "workers"),
                      scene.per_ball ? ", one per ball" : "");
 }
 
-std::string method(const Scene& scene, Method method) {
+std::string method_text(const Scene& scene, Method method) {
   if (method == Method::overlap) return fmt::format("overlap, step {:.6g} s", scene.solver.step);
   return fmt::format("event, {} digits", scene.solver.digits);
 }
@@ -105,7 +102,7 @@ std::string describe(const std::string& file, const Scene& scene) {
                                   : fmt::format("{}, {} of them fixed", balls.size(), fixed));
   text += row("pairs", scene.effects.collisions ? fmt::format("{}", footprint.pairs)
                                                 : "none: balls pass through each other");
-  text += row("method", fmt::format("{}: {}", method(scene, choice.method), choice.why));
+  text += row("method", fmt::format("{}: {}", method_text(scene, choice.method), choice.why));
   text += row("duration",
               fmt::format("{:g} s at {:g} frames per second", scene.duration, scene.frame_rate));
   text += row("script",

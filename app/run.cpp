@@ -16,13 +16,13 @@
 #include "commands.hpp"
 #include "export/output_file.hpp"
 #include "export/unfinished_files.hpp"
+#include "frames_at_once.hpp"
 #include "load_scene.hpp"
 #include "one_file.hpp"
 #include "progress.hpp"
 #include "run_outputs.hpp"
 #include "schedule.hpp"
 #include "standard_streams.hpp"
-#include "stretch.hpp"
 #include "summary.hpp"
 #include "warnings.hpp"
 
@@ -143,7 +143,7 @@ int run(const Options& options) {
   Progress progress(!options.quiet);
   if (!earlier) refuse_unwritable([&] { outputs->begin(session, schedule.frame()); });
   const bool watched = outputs->look_at_frames();
-  Stretch stretch(!watched && (progress.shown() || checkpoints));
+  FramesAtOnce stretch(!watched && (progress.shown() || checkpoints));
   while (watched ? schedule.next_frame() : schedule.next_frames(stretch.frames())) {
     outputs->frame(schedule.frame());
     progress.show(schedule.part_done(), session.simulation().time());

@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kWidth = 80;
+constexpr std::size_t kLineWidth = 80;
 
 /// A name, then what it is about, wrapped beside it.
 std::string row(const std::string& name, const std::string& about, std::size_t column) {
@@ -19,7 +19,7 @@ std::string row(const std::string& name, const std::string& about, std::size_t c
   std::string line = fmt::format("{:<{}}", name, column);
   std::istringstream words(about);
   for (std::string word; words >> word;) {
-    if (line.size() + 1 + word.size() > kWidth && line.size() > column) {
+    if (line.size() + 1 + word.size() > kLineWidth && line.size() > column) {
       text += line + '\n';
       line = std::string(column, ' ');
     }

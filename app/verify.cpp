@@ -18,7 +18,7 @@ constexpr auto kHeading =
     "case       method   measure                                 value     limit        seconds\n";
 
 /// Whole numbers as such, others with the digits that matter.
-std::string number(double value) {
+std::string measure_text(double value) {
   if (!std::isfinite(value)) return "-";
   if (value == std::trunc(value) && std::abs(value) < 1e6) return fmt::format("{:.0f}", value);
   return fmt::format("{:.2g}", value);
@@ -32,9 +32,10 @@ std::string verdict(const CaseResult& result) {
 }
 
 std::string line(const CaseResult& result) {
-  std::string text = fmt::format("{:<10} {:<8} {:<36} {:>9} {:>9}  {:<6} {:>6.2f}\n", result.name,
-                                 method_name(result.method), result.measure, number(result.value),
-                                 number(result.limit), verdict(result), result.seconds);
+  std::string text =
+      fmt::format("{:<10} {:<8} {:<36} {:>9} {:>9}  {:<6} {:>6.2f}\n", result.name,
+                  method_name(result.method), result.measure, measure_text(result.value),
+                  measure_text(result.limit), verdict(result), result.seconds);
   if (!result.failure.empty()) text += fmt::format("           {}\n", result.failure);
   return text;
 }

@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-constexpr const char* kStart = R"sh(# Completions of carom for bash.
+constexpr const char* kBashStart = R"sh(# Completions of carom for bash.
 _carom() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}}
   local command=${{COMP_WORDS[1]}} words='' kinds=''
@@ -24,7 +24,7 @@ _carom() {{
   case ${{command:-play}} in
 )sh";
 
-constexpr const char* kEnd = R"sh(  esac
+constexpr const char* kBashEnd = R"sh(  esac
   if [[ -z $command && $kinds == scenes && $COMP_CWORD -eq 1 ]]; then words+='{0}'; fi
   if [[ $kinds == scenes ]]; then words+=" $("${{COMP_WORDS[0]}}" scenes {1})"; fi
   if [[ $kinds == cases ]]; then words+=" $("${{COMP_WORDS[0]}}" verify --list {1})"; fi
@@ -72,7 +72,7 @@ std::string bash_completions() {
   std::vector<std::string> names;
   for (const CommandRow& command : command_table()) names.push_back(command.name);
   const std::string commands = fmt::format("{}", fmt::join(names, " "));
-  std::string text = fmt::format(kStart, fmt::join(names, " | "));
+  std::string text = fmt::format(kBashStart, fmt::join(names, " | "));
   for (const CommandRow& command : command_table()) {
     text += fmt::format("    {})\n      case $previous in\n", command.name);
     std::string options;
@@ -95,7 +95,7 @@ std::string bash_completions() {
         "      ;;\n",
         options, operand_case(command, commands));
   }
-  return text + fmt::format(kEnd, commands, kFirstWords);
+  return text + fmt::format(kBashEnd, commands, kFirstWords);
 }
 
 }  // namespace carom

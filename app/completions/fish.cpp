@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string in_single_quotes(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
     if (c == '\'' || c == '\\') result += '\\';
@@ -17,7 +17,7 @@ std::string quoted(const std::string& text) {
 
 /// As in "__carom_command run": true on a line of that command.
 std::string condition(const CommandRow& command) {
-  return quoted("__carom_command " + command.name);
+  return in_single_quotes("__carom_command " + command.name);
 }
 
 std::string value_of(const OptionRow& row) {
@@ -48,7 +48,7 @@ std::string operand_line(const CommandRow& command, const std::string& commands)
   return "";
 }
 
-constexpr const char* kStart = R"sh(# Completions of carom for fish.
+constexpr const char* kFishStart = R"sh(# Completions of carom for fish.
 function __carom_first_words
   set -l words (commandline -opc)
   $words[1] $argv 2>/dev/null | string match -r '^\S+'
@@ -72,18 +72,18 @@ std::string fish_completions() {
   std::vector<std::string> names;
   for (const CommandRow& command : command_table()) names.push_back(command.name);
   const std::string commands = fmt::format("{}", fmt::join(names, " "));
-  std::string text = fmt::format(kStart, commands);
+  std::string text = fmt::format(kFishStart, commands);
   for (const CommandRow& command : command_table()) {
     text +=
         fmt::format("complete -c carom -n 'test (count (commandline -opc)) -eq 1' -a {} -d {}\n",
-                    command.name, quoted(command.purpose));
+                    command.name, in_single_quotes(command.purpose));
   }
   for (const CommandRow& command : command_table()) {
     text += operand_line(command, commands);
     for (const OptionRow& row : option_table()) {
       if (!takes(command, row)) continue;
       text += fmt::format("complete -c carom -n {} -l {}{} -d {}\n", condition(command),
-                          row.name.substr(2), value_of(row), quoted(purpose_of(row)));
+                          row.name.substr(2), value_of(row), in_single_quotes(purpose_of(row)));
     }
   }
   return text;

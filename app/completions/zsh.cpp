@@ -56,7 +56,7 @@ std::string operand_line(const CommandRow& command) {
   return "";
 }
 
-constexpr const char* kStart = R"sh(#compdef carom
+constexpr const char* kZshStart = R"sh(#compdef carom
 # Completions of carom for zsh.
 _carom_commands() {{
   local -a rows=(
@@ -94,7 +94,7 @@ std::string zsh_completions() {
     names.push_back(command.name);
     commands += fmt::format("    '{}:{}'\n", command.name, escaped(command.purpose, ":"));
   }
-  std::string text = fmt::format(kStart, commands, kFirstWords, fmt::join(names, "|"));
+  std::string text = fmt::format(kZshStart, commands, kFirstWords, fmt::join(names, "|"));
   for (const CommandRow& command : command_table()) {
     text += fmt::format("    {})\n      options=(\n", command.name);
     for (const OptionRow& row : option_table()) {

@@ -3,20 +3,10 @@
 #include <fmt/format.h>
 
 #include "carom/report.hpp"
+#include "text/csv_cell.hpp"
 
 namespace carom {
 namespace {
-
-/// As RFC 4180 has it.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"') result += '"';
-    result += c;
-  }
-  return result + '"';
-}
 
 std::string or_empty(const std::optional<double>& number) {
   return number ? fmt::format("{}", *number) : "";
@@ -87,10 +77,10 @@ std::string to_csv(const AccuracyStudy& study) {
     text += fmt::format(
         "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", method_name(row.method),
         or_empty(row.step), row.digits, row.workers, row.per_ball, measured(study, row),
-        lost ? fmt::format("{}", row.horizon_resolution) : "", quoted(row.failure),
-        quoted(study.scene), study.time, study.seed, reference.digits, reference.ball_ball,
-        reference.ball_wall, version(), quoted(study.machine.compiler),
-        quoted(study.machine.processor), study.machine.cores, quoted(study.machine.system));
+        lost ? fmt::format("{}", row.horizon_resolution) : "", csv_cell(row.failure),
+        csv_cell(study.scene), study.time, study.seed, reference.digits, reference.ball_ball,
+        reference.ball_wall, version(), csv_cell(study.machine.compiler),
+        csv_cell(study.machine.processor), study.machine.cores, csv_cell(study.machine.system));
     if (reference.equilibrium) text += rest_fields(study, row);
     text += average_fields(study, row) + '\n';
   }

@@ -9,7 +9,7 @@ namespace carom {
 namespace {
 
 /// In double quotes, as extended XYZ has them; a name is one line.
-std::string quoted(std::string_view text) {
+std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';

@@ -12,6 +12,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "text/csv_cell.hpp"
+
 namespace carom::sweeps {
 namespace {
 
@@ -79,13 +81,6 @@ std::string text(const Value& value) {
   return value ? fmt::format("{}", *value) : "";
 }
 
-std::string quoted(const std::string& cell) {
-  if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
-  std::string result = "\"";
-  for (const char c : cell) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + '"';
-}
-
 /// Sums of Neumaier: rounded once, more or less.
 class Sum {
  public:
@@ -147,14 +142,14 @@ std::string point_report(const std::string& report, const std::string& series,
 
 std::string runs_csv(const std::vector<Axis>& axes, const std::vector<std::string>& reports) {
   std::string table = "run";
-  for (const Axis& axis : axes) table += ',' + quoted(axis.pointer);
+  for (const Axis& axis : axes) table += ',' + csv_cell(axis.pointer);
   for (const Quantity& quantity : kQuantities) table += fmt::format(",{}", quantity.name);
   table += ",state_hash\n";
   for (std::size_t point = 0; point < reports.size(); ++point) {
     if (reports[point].empty()) continue;
     const Json report = Json::parse(reports[point]);
     table += fmt::format("{:06}", point);
-    for (const std::string& value : values_of(axes, point)) table += ',' + quoted(value);
+    for (const std::string& value : values_of(axes, point)) table += ',' + csv_cell(value);
     for (const Quantity& quantity : kQuantities) {
       table += ',' + text(number_at(report, quantity.pointer));
     }
@@ -167,7 +162,7 @@ std::string summary_csv(const std::vector<Axis>& axes, const std::vector<std::st
   constexpr const char* kSeed = "/seed";
   std::string table;
   for (const Axis& axis : axes) {
-    if (axis.pointer != kSeed) table += quoted(axis.pointer) + ',';
+    if (axis.pointer != kSeed) table += csv_cell(axis.pointer) + ',';
   }
   table += 'n';
   for (const Quantity& quantity : kQuantities) {
@@ -180,7 +175,7 @@ std::string summary_csv(const std::vector<Axis>& axes, const std::vector<std::st
     const std::vector<std::string> values = values_of(axes, point);
     std::string group;
     for (std::size_t k = 0; k < axes.size(); ++k) {
-      if (axes[k].pointer != kSeed) group += quoted(values[k]) + ',';
+      if (axes[k].pointer != kSeed) group += csv_cell(values[k]) + ',';
     }
     const auto [at, is_new] = members.try_emplace(group);
     if (is_new) groups.push_back(group);

@@ -11,10 +11,10 @@
 namespace carom {
 namespace {
 
-constexpr double kPart = 1.0 / 15;  // of the picture, for the typical speed, at the most
-constexpr double kSpacing = 0.6;    // of the mean distance of balls, at the most
-constexpr double kShortest = 0.5;   // cells
-constexpr double kLongest = 3;      // typical speeds
+constexpr double kPart = 1.0 / 15;   // of the picture, for the typical speed, at the most
+constexpr double kSpacing = 0.6;     // of the mean distance of balls, at the most
+constexpr double kShortest = 0.5;    // cells
+constexpr double kLongestArrow = 3;  // typical speeds
 
 constexpr char32_t kAsciiHeads[] = {U'>', U'/', U'^', U'\\', U'<', U'/', U'v', U'\\'};
 constexpr char32_t kHeads[] = {U'→', U'↗', U'↑', U'↖', U'←', U'↙', U'↓', U'↘'};
@@ -54,7 +54,7 @@ void paint_arrows(const Frame& frame, const std::vector<Ball>& balls, Canvas& ca
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const FrameBall& ball = frame.balls[i];
     if (ball.fixed || !(ball.speed > 0)) continue;
-    const Vec2 velocity = balls[i].velocity * std::min(1.0, kLongest * typical / ball.speed);
+    const Vec2 velocity = balls[i].velocity * std::min(1.0, kLongestArrow * typical / ball.speed);
     const Vec2 way{velocity.x() * time * camera.across(), -velocity.y() * time * camera.down()};
     if (std::max(std::abs(way.x()), std::abs(way.y())) < kShortest) continue;
     each_image(frame, camera, ball,

@@ -8,13 +8,13 @@ namespace {
 
 constexpr int kDotsApart = 4;  // columns; rows are twice as high, so half as many
 
-struct Side {
+struct SideLook {
   char32_t character;
   Ink ink;
   int every = 1;  // cells from mark to mark
 };
 
-Side side(const Frame& frame, std::size_t axis, Glyphs glyphs) {
+SideLook side(const Frame& frame, std::size_t axis, Glyphs glyphs) {
   const bool upright = axis == 0;  // the sides that end the x axis stand upright
   const bool ascii = glyphs == Glyphs::ascii;
   if (frame.box.periodic[axis]) {
@@ -36,9 +36,9 @@ void paint_border(const Frame& frame, const Camera& camera, Glyphs glyphs, Canva
   const int right = camera.left() + camera.columns();
   const int top = camera.top() - 1;
   const int bottom = camera.top() + camera.rows();
-  const Side flat = side(frame, 1, glyphs);
-  const Side upright = side(frame, 0, glyphs);
-  const auto put = [&canvas](int column, int row, const Side& mark) {
+  const SideLook flat = side(frame, 1, glyphs);
+  const SideLook upright = side(frame, 0, glyphs);
+  const auto put = [&canvas](int column, int row, const SideLook& mark) {
     canvas.put(column, row, mark.character, mark.ink);
   };
   // Counted from both ends at once, so that the marks are symmetric.  Only those on the canvas.

@@ -15,10 +15,6 @@ namespace {
 constexpr int kDecades = 16;  // from rounding to a radius
 constexpr int kEdges = 2;
 
-std::string number(double value) {
-  return value == 0 ? "0" : fmt::format("{:.1e}", value);
-}
-
 /// One '#' for each power of ten that the distance is above rounding, full at a radius.
 std::string bar(double distance, double radius) {
   int full = 0;
@@ -34,12 +30,12 @@ std::vector<std::string> lines_of(const Cost& cost) {
   std::vector<std::string> lines{
       cost.method, fmt::format("{:.2f} ms per frame", cost.milliseconds),
       fmt::format("energy dissipated {:.4g}", cost.dissipated),
-      "energy error " + number(cost.energy_error),
-      fmt::format("deepest overlap {} of a radius", number(cost.max_overlap))};
+      "energy error " + exponent(cost.energy_error),
+      fmt::format("deepest overlap {} of a radius", exponent(cost.max_overlap))};
   if (!cost.reference) return lines;
   const ReferenceCost& reference = *cost.reference;
   lines.push_back(fmt::format("+ {}: {:.2f} ms", reference.name, reference.milliseconds));
-  lines.push_back("distance " + number(reference.distance));
+  lines.push_back("distance " + exponent(reference.distance));
   lines.push_back('[' + bar(reference.distance, reference.radius) + "] of a radius");
   lines.push_back(
       reference.horizon

@@ -7,7 +7,7 @@ namespace carom {
 namespace {
 
 constexpr int kRight = 44;  // their width
-constexpr int kLeastRows = 7;
+constexpr int kLeastDock = 7;
 constexpr int kLeastStack = 16;  // of the instruments, above the cost panel
 constexpr int kBorder = 2;
 
@@ -28,7 +28,7 @@ Docks docks_for(const DockWishes& wishes, const Box& box, int columns, int rows)
     docks.box.columns -= kRight;
     int row = 0;
     const auto stack = [&](int wish, CellRect& place) {
-      if (wish == 0 || rows - row < std::min(wish, kLeastRows)) return;
+      if (wish == 0 || rows - row < std::min(wish, kLeastDock)) return;
       place = {docks.box.columns, row, kRight, std::min(wish, rows - row)};
       row += place.rows;
     };
@@ -41,7 +41,7 @@ Docks docks_for(const DockWishes& wishes, const Box& box, int columns, int rows)
   int left = most;
   const auto below = [&](int wish, CellRect& place) {
     const int height = std::min(wish, left);
-    if (wish == 0 || height < kLeastRows) return;
+    if (wish == 0 || height < kLeastDock) return;
     left -= height;
     docks.box.rows -= height;
     place = {0, docks.box.rows, docks.box.columns, height};

@@ -4,17 +4,15 @@
 #include <array>
 #include <cmath>
 
+#include "view/braille.hpp"
+
 namespace carom {
 namespace {
 
-// Unicode, "Braille Patterns": the bit of the dot in each column and row of a cell.
-constexpr std::array<std::array<std::uint8_t, 4>, 2> kDot{
-    {{0x01, 0x02, 0x04, 0x40}, {0x08, 0x10, 0x20, 0x80}}};
-constexpr char32_t kNoDots = 0x2800;
 constexpr int kAcross = 2;
 constexpr int kDown = 4;
-constexpr unsigned kUpper = 0x1B;   // the dots of the upper half
-constexpr double kLongest = 16384;  // dots: a longer line, far beyond the picture, is left out
+constexpr unsigned kUpper = 0x1B;       // the dots of the upper half
+constexpr double kLongestLine = 16384;  // dots: a longer line, far beyond the picture, is left out
 
 char32_t sign_of(std::uint8_t dots, Glyphs glyphs) {
   if (glyphs != Glyphs::ascii) return kNoDots + dots;
@@ -31,7 +29,7 @@ Dots::Dots(const Canvas& canvas, const CellRange& clip, Glyphs glyphs)
 void Dots::line(const Vec2& from, const Vec2& to, float heat) {
   const double length =
       std::max(std::abs(to.x() - from.x()) * kAcross, std::abs(to.y() - from.y()) * kDown);
-  if (!(length < kLongest)) return;
+  if (!(length < kLongestLine)) return;
   const int steps = std::max(1, static_cast<int>(std::ceil(length)));
   for (int k = 0; k <= steps; ++k) {
     const double part = static_cast<double>(k) / steps;
@@ -47,7 +45,7 @@ void Dots::dot(double x, double y, float heat) {
                       static_cast<std::size_t>(column)];
   const auto i = static_cast<std::size_t>((x - column) * kAcross);
   const auto j = static_cast<std::size_t>((y - row) * kDown);
-  spot.dots = static_cast<std::uint8_t>(spot.dots | kDot[i][j]);
+  spot.dots = static_cast<std::uint8_t>(spot.dots | kBrailleDot[i][j]);
   spot.heat = std::max(spot.heat, heat);
 }
 

@@ -32,9 +32,9 @@ struct Pen {
 
 constexpr int kShortGap = 4;  // cells: crossed one by one
 
-class Writer {
+class EscapeWriter {
  public:
-  Writer(const Canvas& canvas, const Palette& palette) : canvas_(canvas), palette_(palette) {}
+  EscapeWriter(const Canvas& canvas, const Palette& palette) : canvas_(canvas), palette_(palette) {}
 
   void write(const Run& run) {
     move(run.column, run.row);
@@ -171,7 +171,7 @@ std::vector<Run> changes(const Canvas& before, const Canvas& after, const Palett
 }
 
 std::string in_rows(const std::vector<Run>& runs, const Canvas& canvas, const Palette& palette) {
-  Writer writer(canvas, palette);
+  EscapeWriter writer(canvas, palette);
   for (const Run& run : runs) writer.write(run);
   return writer.finish();
 }
@@ -237,7 +237,7 @@ class Gathering {
   }
 
   std::vector<Run> runs_;
-  Writer writer_;
+  EscapeWriter writer_;
   std::vector<std::vector<std::size_t>> rows_;  // the runs in each
   std::vector<bool> written_;
 };

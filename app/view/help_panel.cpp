@@ -12,15 +12,14 @@
 namespace carom {
 namespace {
 
-constexpr int kFrame = 2;  // rows or columns that a frame around the help takes
 constexpr int kColumn = 39;
 constexpr int kNarrow = 2 * kColumn + kFrame;
 
-struct Line {
+struct HelpLine {
   std::string text;
   Ink ink = Ink::status;
 };
-using Column = std::vector<Line>;
+using Column = std::vector<HelpLine>;
 
 /// Every line of the help, a heading before each group.
 std::vector<Column> groups() {

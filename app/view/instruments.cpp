@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::size_t kClasses = 60;
 constexpr double kTop = 4;       // thermal speeds of the lightest: 3e-4 of Maxwell's are faster
-constexpr double kNarrow = 0.6;  // the classes are chosen again where the temperature has changed
-constexpr double kWide = 1.6;
-constexpr std::size_t kMost = 1200;  // frames: slow motion keeps no more
-constexpr std::size_t kParts = 8;    // of the time, for errors
-constexpr std::size_t kFewest = 8;   // frames in a part
-constexpr double kFreezing = 0.69;   // packing from which equal disks are no fluid
+constexpr double kCooler = 0.6;  // the classes are chosen again where the temperature has changed
+constexpr double kHotter = 1.6;
+constexpr std::size_t kMost = 1200;       // frames: slow motion keeps no more
+constexpr std::size_t kParts = 8;         // of the time, for errors
+constexpr std::size_t kFewestFrames = 8;  // frames in a part
+constexpr double kFreezing = 0.69;        // packing from which equal disks are no fluid
 
 /// How much more often two disks touch than if they were spread evenly.
 /// Source: D. Henderson, Mol. Phys. 30 (1975) 971.
@@ -105,7 +105,7 @@ void Instruments::count_speeds(const std::vector<Ball>& balls, double temperatur
   masses_.assign(masses.begin(), masses.end());
   const double top = kTop * std::sqrt(temperature / masses_.front().first);
   if (!(top > 0)) return;
-  if (!(top_ > kNarrow * top && top_ < kWide * top)) {
+  if (!(top_ > kCooler * top && top_ < kHotter * top)) {
     top_ = top;
     for (Sample& each : samples_) each.speeds.clear();
   }
@@ -140,7 +140,7 @@ TimeAverage Instruments::average(double Sample::*value) const {
   TimeAverage result;
   if (!(span > 0)) return result;
   result.mean = sum / span;
-  if (samples_.size() < kParts * kFewest) return result;
+  if (samples_.size() < kParts * kFewestFrames) return result;
   double squares = 0;
   for (std::size_t part = 0; part < kParts; ++part) {
     if (!(spans[part] > 0)) return result;

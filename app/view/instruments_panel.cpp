@@ -13,29 +13,25 @@
 namespace carom {
 namespace {
 
-constexpr int kFrame = 2;
 constexpr int kBeside = 66;    // columns from which the three stand beside each other
-constexpr int kLeastRows = 5;  // of a part
+constexpr int kLeastPart = 5;  // of a part
 constexpr int kLeastCurve = 4;
-constexpr double kRounding = 1e-9;  // smaller errors of means are none
-constexpr int kWidestNumber = 10;   // with a blank
+constexpr double kNoError = 1e-9;  // smaller errors of means are none
+constexpr int kWidestNumber = 10;  // with a blank
 constexpr char32_t kLevels[] = {U' ', U'▁', U'▂', U'▃', U'▄', U'▅', U'▆', U'▇', U'█'};
 
-std::string number(double value) {
+std::string short_number(double value) {
   return fmt::format("{:.4g}", value);
-}
-
-std::string exponent(double value) {
-  return value == 0 ? "0" : fmt::format("{:.1e}", value);
 }
 
 std::string average(const std::optional<TimeAverage>& value) {
   if (!value) return "-";
-  const bool known = value->error && *value->error > kRounding * std::abs(value->mean);
-  return known ? fmt::format("{:.4g} +-{:.1g}", value->mean, *value->error) : number(value->mean);
+  const bool known = value->error && *value->error > kNoError * std::abs(value->mean);
+  return known ? fmt::format("{:.4g} +-{:.1g}", value->mean, *value->error)
+               : short_number(value->mean);
 }
 
-/// The classes of speeds in so many columns, a whole number of classes each.
+/// The classes of speeds in so many columns, a whole short_number of classes each.
 int columns_of(std::size_t classes, int room) {
   for (int columns = static_cast<int>(classes); columns > 0; --columns) {
     if (columns <= room && static_cast<int>(classes) % columns == 0) return columns;
@@ -67,7 +63,7 @@ class Histogram {
       const int row = rows - 1 - static_cast<int>(std::min(curve[k] / top * rows, rows - 0.5));
       canvas_.put(column, row, ascii_ ? U'*' : U'•', Ink::notice);
     }
-    const std::string last = number(speeds_.top);
+    const std::string last = short_number(speeds_.top);
     canvas_.write(0, rows, "0", Ink::status);
     canvas_.write(columns - static_cast<int>(last.size()), rows, last, Ink::status);
     const std::string legend = ascii_ ? "speed, * Maxwell" : "speed,   Maxwell";
@@ -132,10 +128,12 @@ std::vector<Value> averages_of(const InstrumentReadings& readings) {
   std::vector<Value> values{{"temperature", average(readings.temperature)},
                             {"pressure", average(readings.pressure)},
                             {"Z", average(readings.Z)}};
-  if (readings.theory) values.push_back({"  theory", number(readings.theory->Z)});
+  if (readings.theory) values.push_back({"  theory", short_number(readings.theory->Z)});
   values.push_back({"impacts / s", average(readings.impacts_per_second)});
-  if (readings.theory) values.push_back({"  theory", number(readings.theory->impacts_per_second)});
-  values.push_back({"free path", readings.mean_free_path ? number(*readings.mean_free_path) : "-"});
+  if (readings.theory)
+    values.push_back({"  theory", short_number(readings.theory->impacts_per_second)});
+  values.push_back(
+      {"free path", readings.mean_free_path ? short_number(*readings.mean_free_path) : "-"});
   return values;
 }
 
@@ -143,10 +141,11 @@ std::vector<Value> energies_of(const InstrumentReadings& readings) {
   const auto last = [](const std::vector<double>& values) {
     return values.empty() ? 0 : values.back();
   };
-  std::vector<Value> values{{"kinetic", number(last(readings.kinetic)), &readings.kinetic},
-                            {"potential", number(last(readings.potential)), &readings.potential}};
-  if (readings.input != 0) values.push_back({"input", number(readings.input)});
-  values.push_back({"dissipated", number(last(readings.dissipated)), &readings.dissipated});
+  std::vector<Value> values{
+      {"kinetic", short_number(last(readings.kinetic)), &readings.kinetic},
+      {"potential", short_number(last(readings.potential)), &readings.potential}};
+  if (readings.input != 0) values.push_back({"input", short_number(readings.input)});
+  values.push_back({"dissipated", short_number(last(readings.dissipated)), &readings.dissipated});
   values.push_back({"error", exponent(last(readings.error)), &readings.error});
   return values;
 }
@@ -178,7 +177,7 @@ Canvas instruments_panel(const InstrumentReadings& readings, int columns, int ro
   int row = 0;
   const auto stack = [&](const auto& part, int wish) {
     const int high = std::min(wish, rows - row);
-    if (high < kLeastRows) return;
+    if (high < kLeastPart) return;
     lay_over(part(columns, high), 0, row, panel);
     row += high;
   };
@@ -186,7 +185,7 @@ Canvas instruments_panel(const InstrumentReadings& readings, int columns, int ro
   const int room = rows - tables - 2 * kFrame;  // for the bars, where they leave any
   stack(averages, static_cast<int>(averages_of(readings).size()) + kFrame);
   stack(energies, static_cast<int>(energies_of(readings).size()) + kFrame);
-  stack(speeds, std::max(room, kLeastRows));
+  stack(speeds, std::max(room, kLeastPart));
   return panel;
 }
 

@@ -1,12 +1,14 @@
 #include "view/panel.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace carom {
 
 Canvas framed(const Canvas& inside, const std::string& title, Glyphs glyphs) {
   const bool ascii = glyphs == Glyphs::ascii;
-  Canvas panel(inside.columns + 2, inside.rows + 2);
+  Canvas panel(inside.columns + kFrame, inside.rows + kFrame);
   const int right = panel.columns - 1;
   const int bottom = panel.rows - 1;
   for (int column = 1; column < right; ++column) {
@@ -35,6 +37,10 @@ Canvas text_block(const std::vector<std::string>& lines, int columns, int rows) 
   for (int row = 0; row < block.rows; ++row)
     block.write(0, row, lines[static_cast<std::size_t>(row)], Ink::status);
   return block;
+}
+
+std::string exponent(double value) {
+  return value == 0 ? "0" : fmt::format("{:.1e}", value);
 }
 
 void lay_over(const Canvas& above, int column, int row, Canvas& canvas) {

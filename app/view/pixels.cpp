@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "view/ball_images.hpp"
+#include "view/braille.hpp"
 
 namespace carom {
 namespace {
@@ -18,11 +19,6 @@ struct Grain {
 };
 constexpr Grain kHalfBlocks{1, 2};
 constexpr Grain kBraille{2, 4};
-
-// Unicode, "Braille Patterns": the bit of the dot in each column and row of a cell.
-constexpr std::array<std::array<unsigned, 4>, 2> kDot{
-    {{0x01, 0x02, 0x04, 0x40}, {0x08, 0x10, 0x20, 0x80}}};
-constexpr char32_t kNoDots = 0x2800;
 
 /// Whose a pixel is: of balls that overlap on screen, the one whose middle is nearer.
 struct Pixel {
@@ -144,7 +140,7 @@ Cell braille(const Raster& raster, int column, int row, double typical) {
       const FrameBall* const ball =
           raster.at(kBraille.across * column + i, kBraille.down * row + j);
       if (ball == nullptr) continue;
-      dots |= kDot[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+      dots |= kBrailleDot[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
       owners[count++] = ball;
     }
   }

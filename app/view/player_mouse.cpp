@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-constexpr double kWheel = 1.25;
+constexpr double kZoomOfWheel = 1.25;
 constexpr double kThrow = 2;  // drags of a length become that length times so much in a second
 
 /// Inside the solid sides, as far as the box has room.
@@ -33,7 +33,8 @@ void Player::use_mouse(const Mouse& mouse) {
     case Mouse::Action::wheel_up:
     case Mouse::Action::wheel_down: {
       if (!inside || help_page_ >= 0) return;
-      const double factor = mouse.action == Mouse::Action::wheel_up ? kWheel : 1 / kWheel;
+      const double factor =
+          mouse.action == Mouse::Action::wheel_up ? kZoomOfWheel : 1 / kZoomOfWheel;
       drawing_.viewpoint = zoomed_at(session_->scene().box, size.columns, size.rows,
                                      drawing_.viewpoint, factor, mouse.column, mouse.row);
       return say(fmt::format("zoom {:.3g}x", drawing_.viewpoint.zoom));

@@ -159,7 +159,7 @@ void Player::paint_lines_below(Canvas& screen, int first) {
   status.frames_per_second = meter_.frames_per_second();
   status.computing_milliseconds = running ? meter_.computing_milliseconds() : 0;
   status.energy_error = energy_error_;
-  if (piles_up_) status.note = std::string("overlap: ") + kPilesUp;
+  if (piles_up_) status.note = fmt::format("overlap: {}", kPilesUp);
   if (recorder_) status.note = "recording";
   status.late = timer_.late();
   status.speed = speed_;

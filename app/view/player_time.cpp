@@ -10,7 +10,7 @@ namespace carom {
 namespace {
 
 constexpr int kTen = 10;
-constexpr int kLeastRows = 10;
+constexpr int kLeastRowsForBar = 10;
 
 }  // namespace
 
@@ -96,7 +96,7 @@ void Player::changed_by_hand() {
 
 std::optional<ScrubBar> Player::scrub_bar_now() const {
   const UserInterface::Size size = interface_.size();
-  if (!session_->paused() || !history_.possible() || size.rows < kLeastRows ||
+  if (!session_->paused() || !history_.possible() || size.rows < kLeastRowsForBar ||
       history_.last() <= history_.first())
     return std::nullopt;
   return ScrubBar{history_.first(), seek_.value_or(session_->simulation().time()), history_.last(),

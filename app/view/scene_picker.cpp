@@ -13,8 +13,6 @@
 namespace carom {
 namespace {
 
-constexpr int kFrame = 2;         // columns or rows that a frame takes
-constexpr int kEdge = 1;          // of it on one side
 constexpr int kWithPreview = 60;  // columns from which there is room for more than the list
 constexpr std::chrono::milliseconds kRests{120};  // so long a choice stays before it is loaded
 

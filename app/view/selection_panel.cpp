@@ -10,9 +10,6 @@
 namespace carom {
 namespace {
 
-constexpr int kFrame = 2;
-constexpr int kEdge = 1;
-
 struct Button {
   int key;
   std::string word;

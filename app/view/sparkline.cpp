@@ -6,10 +6,10 @@
 namespace carom {
 namespace {
 
-constexpr char32_t kAscii[] = {U'_', U'.', U'-', U'=', U'+', U'*', U'#', U'@'};
-constexpr char32_t kBlocks[] = {U'▁', U'▂', U'▃', U'▄', U'▅', U'▆', U'▇', U'█'};
-constexpr int kLevels = 8;
-constexpr double kRounding = 1e-12;  // values that differ by no more are level
+constexpr char32_t kAsciiCurve[] = {U'_', U'.', U'-', U'=', U'+', U'*', U'#', U'@'};
+constexpr char32_t kBlockCurve[] = {U'▁', U'▂', U'▃', U'▄', U'▅', U'▆', U'▇', U'█'};
+constexpr int kCurveLevels = 8;
+constexpr double kLevelWithin = 1e-12;  // values that differ by no more are level
 
 }  // namespace
 
@@ -28,12 +28,12 @@ Canvas sparkline(const std::vector<double>& values, int columns, Glyphs glyphs) 
   }
   const auto [low, high] = std::minmax_element(means.begin(), means.end());
   const double range = *high - *low;
-  const bool level = !(range > kRounding * std::max(std::abs(*low), std::abs(*high)));
+  const bool level = !(range > kLevelWithin * std::max(std::abs(*low), std::abs(*high)));
   for (std::size_t k = 0; k < count; ++k) {
-    const double height = level ? 0 : (means[k] - *low) / range * kLevels;
-    const int step = std::clamp(static_cast<int>(height), 0, kLevels - 1);
+    const double height = level ? 0 : (means[k] - *low) / range * kCurveLevels;
+    const int step = std::clamp(static_cast<int>(height), 0, kCurveLevels - 1);
     const char32_t sign = level ? (glyphs == Glyphs::ascii ? U'-' : U'─')
-                                : (glyphs == Glyphs::ascii ? kAscii : kBlocks)[step];
+                                : (glyphs == Glyphs::ascii ? kAsciiCurve : kBlockCurve)[step];
     line.put(columns - static_cast<int>(count - k), 0, sign, Ink::computes);
   }
   return line;

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <vector>
 
+#include "text/counted.hpp"
+
 namespace carom {
 namespace {
 
@@ -16,10 +18,6 @@ struct Field {
   int rank = 0;      ///< fields of a low one are shown before those of a higher one
 };
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 std::string pace_text(const Status& status) {
   if (status.paused) return "paused";
   if (status.pace)
@@ -27,7 +25,7 @@ std::string pace_text(const Status& status) {
   return speed_text(status.speed);
 }
 
-std::string error_text(double error) {
+std::string energy_text(double error) {
   return error == 0 ? "energy error 0" : fmt::format("energy error {:.0e}", std::abs(error));
 }
 
@@ -48,7 +46,7 @@ std::string status_line(const Status& status, int width) {
       {moves ? fmt::format("{:.0f} fps", status.frames_per_second) : "", 6},
       {status.late == 0 ? "" : counted(status.late, "frame late", "frames late"), 5},
       {moves ? fmt::format("computing {:.1f} ms", status.computing_milliseconds) : "", 9},
-      {error_text(status.energy_error), 7},
+      {energy_text(status.energy_error), 7},
       {status.note, 2},
   };
   std::vector<std::size_t> order(fields.size());

@@ -15,7 +15,7 @@ namespace {
 
 // A handler may take no lock and use no allocated memory: all it needs lies in fixed places.
 constexpr std::size_t kLongestLeave = 512;
-constexpr int kPatience = 1000;  // milliseconds
+constexpr int kRescuePatience = 1000;  // milliseconds
 constexpr std::size_t kStackSize = std::size_t{64} * 1024;
 
 struct Given {
@@ -40,7 +40,7 @@ extern "C" void give_back(int number) {
     (void)tcflow(given.descriptor, TCOOFF);
     (void)tcflow(given.descriptor, TCOON);
     pollfd output{given.descriptor, POLLOUT, 0};
-    if (poll(&output, 1, kPatience) > 0)
+    if (poll(&output, 1, kRescuePatience) > 0)
       (void)!write(given.descriptor, given.leave.data(), given.length);
     (void)tcsetattr(given.descriptor, TCSANOW, &given.before);
   }

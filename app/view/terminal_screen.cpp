@@ -23,8 +23,8 @@ namespace {
 constexpr std::chrono::milliseconds kRestOfSequence{50};  // how far its bytes may come apart
 constexpr UserInterface::Size kUntold{80, 24};
 // xterm, "Control Sequences": what comes in between is shown at once (mode 2026).
-constexpr const char* kBegin = "\x1B[?2026h";
-constexpr const char* kEnd = "\x1B[?2026l";
+constexpr const char* kBeginUpdate = "\x1B[?2026h";
+constexpr const char* kEndUpdate = "\x1B[?2026l";
 
 UserInterface::Size window_size() {
   winsize size{};
@@ -73,7 +73,7 @@ class TerminalScreen::Implementation {
     }
     next_.reset();
     const std::string bytes = encoder_.show(canvas);
-    if (!bytes.empty()) line_.send(kBegin + bytes + kEnd);
+    if (!bytes.empty()) line_.send(kBeginUpdate + bytes + kEndUpdate);
   }
 
   Event wait_until(Instant deadline) {

@@ -11,7 +11,6 @@
 namespace carom {
 namespace {
 
-constexpr int kFrame = 2;      // rows or columns around
 constexpr int kWordy = 56;     // from here on lanes are called "worker 12"
 constexpr int kMarkApart = 4;  // cells between two marks that go through all lanes
 constexpr int kOther = 2;      // rows: control, legend
@@ -24,8 +23,8 @@ struct Signs {
   char32_t waits;
   char32_t mark;
 };
-constexpr Signs kAscii{U'#', U'+', U'~', U'|'};
-constexpr Signs kLines{U'█', U'▌', U'─', U'│'};
+constexpr Signs kAsciiSigns{U'#', U'+', U'~', U'|'};
+constexpr Signs kLineSigns{U'█', U'▌', U'─', U'│'};
 
 constexpr char32_t kAsciiLevels[] = {U' ', U'.', U':', U'-', U'=', U'+', U'*', U'#', U'@'};
 constexpr char32_t kLineLevels[] = {U' ', U'▁', U'▂', U'▃', U'▄', U'▅', U'▆', U'▇', U'█'};
@@ -36,7 +35,7 @@ class Painter {
       : view_(view),
         lanes_(view.lanes),
         ascii_(glyphs == Glyphs::ascii),
-        signs_(ascii_ ? kAscii : kLines),
+        signs_(ascii_ ? kAsciiSigns : kLineSigns),
         canvas_(columns, rows),
         left_(1 + static_cast<int>(columns >= kWordy
                                        ? label(0).size()

@@ -9,8 +9,8 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kKept = 8;  // calls of advance_to: a frame of the screen seldom takes more
-constexpr std::chrono::milliseconds kEvery{250};
-constexpr double kSmooth = 0.8;     // of who is busy: lanes should not change places all the time
+constexpr std::chrono::milliseconds kBetweenLooks{250};
+constexpr double kSteady = 0.8;     // of who is busy: lanes should not change places all the time
 constexpr std::size_t kAtOnce = 6;  // barriers of a slow frame that are shown at once
 
 Computation computation_of(const Simulation& simulation) {
@@ -42,7 +42,7 @@ void ThreadsWatch::computed(Simulation& simulation, std::size_t calls, Instant n
   if (slow_ ? !awaited_ : now < next_) return;
   Timeline timeline = simulation.timeline(calls);
   if (timeline.control.empty()) return start_recording(simulation);  // another simulation
-  next_ = now + kEvery;
+  next_ = now + kBetweenLooks;
   time_ = simulation.time();
   balls_ = simulation.balls();
   barriers_ = std::move(timeline.barriers);
@@ -52,7 +52,7 @@ void ThreadsWatch::computed(Simulation& simulation, std::size_t calls, Instant n
   for (std::size_t worker = 0; worker < computed_.size(); ++worker) {
     const double here = computing_in(lanes_.workers[worker], static_cast<double>(lanes_.begin),
                                      static_cast<double>(lanes_.end));
-    computed_[worker] = kSmooth * computed_[worker] + (1 - kSmooth) * here;
+    computed_[worker] = kSteady * computed_[worker] + (1 - kSteady) * here;
   }
   passed_ = awaited_ ? 1 : lanes_.passages.size();
   awaited_ = false;

@@ -11,7 +11,7 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kMostPieces = 1500;  // of all trails, from a frame to the next
-constexpr std::size_t kFewest = 6;
+constexpr std::size_t kFewestPieces = 6;
 
 }  // namespace
 
@@ -39,7 +39,8 @@ void Trails::paint(const Frame& frame, Canvas& canvas, const Drawing& drawing) c
   const CellRange cells = visible_cells(frame, camera, canvas);
   const double typical = typical_speed(frame.balls);
   // Of many balls the trails are shorter: the picture is not to be full of them.
-  const std::size_t frames = std::clamp(kMostPieces / (1 + frame.balls.size()), kFewest, kFrames);
+  const std::size_t frames =
+      std::clamp(kMostPieces / (1 + frame.balls.size()), kFewestPieces, kFrames);
   const std::size_t first = positions_.size() > frames ? positions_.size() - frames : 1;
   Dots dots(canvas, cells, drawing.glyphs);
   for (std::size_t i = 0; i < frame.balls.size(); ++i) {

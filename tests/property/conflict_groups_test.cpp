@@ -6,35 +6,15 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <random>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
-#include "solvers/event/physics.hpp"
 #include "solvers/event/tile.hpp"
+#include "support/event_setting.hpp"
 
 namespace carom::event {
 namespace {
-
-struct Setting {
-  Rules rules{Domain(Box{}, true), TickScale(1)};
-  std::vector<Disk> disks;
-  double time = 2;
-};
-
-class Draw {
- public:
-  explicit Draw(unsigned seed) : random_(seed) {}
-  double number(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
-  bool one_in(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_) == 0; }
-  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
-
- private:
-  std::mt19937 random_;
-};
 
 /// Balls on a lattice of places, of any sizes, some fixed, some in step, so that several meet at
 /// one instant.
@@ -91,21 +71,6 @@ Setting draw(unsigned seed, bool drags) {
   }
   setting.time = draw.number(0.5, 3);
   return setting;
-}
-
-template <class P>
-void advance(ConflictGroups<P>& groups, Ticks until, std::size_t workers) {
-  std::size_t phase = groups.aim(until);
-  while (phase != Phase::kFrameDone) {
-    for (std::size_t k = 0; k < workers; ++k) groups.work(phase, {k, workers});
-    phase = groups.finish(phase);
-  }
-}
-
-template <class Disk>
-bool same_flight(const Disk& a, const Disk& b) {
-  return a.x == b.x && a.y == b.y && a.vx == b.vx && a.vy == b.vy && a.start == b.start &&
-         a.kind == b.kind;
 }
 
 /// Where several balls join a contact that lasts at one instant, one event loop depends on their

@@ -4,35 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <thread>
 #include <vector>
 
-#include "solvers/event/physics.hpp"
 #include "solvers/event/tile.hpp"
+#include "support/event_setting.hpp"
 
 namespace carom::event {
 namespace {
-
-struct Setting {
-  Rules rules{carom::Domain(Box{}, true), TickScale(1)};
-  std::vector<Disk> disks;
-  std::vector<double> spins;
-  double time = 1;
-};
-
-class Draw {
- public:
-  explicit Draw(unsigned seed) : random_(seed) {}
-  double number(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
-  bool one_in(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_) == 0; }
-  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
-
- private:
-  std::mt19937 random_;
-};
 
 /// A gas that loses nothing but by drag or friction: on a lattice of places, of any sizes, some
 /// fixed, sometimes one very large ball, sometimes all in step, so that several meet at one
@@ -101,21 +80,6 @@ Setting draw(unsigned seed, bool drags) {
   }
   setting.time = draw.number(0.2, 1.5);
   return setting;
-}
-
-template <class P>
-void advance(Domains<P>& domains, Ticks until, std::size_t workers) {
-  std::size_t phase = domains.aim(until);
-  while (phase != Phase::kFrameDone) {
-    for (std::size_t k = 0; k < workers; ++k) domains.work(phase, {k, workers});
-    phase = domains.finish(phase);
-  }
-}
-
-template <class Disk>
-bool same_flight(const Disk& a, const Disk& b) {
-  return a.x == b.x && a.y == b.y && a.vx == b.vx && a.vy == b.vy && a.start == b.start &&
-         a.kind == b.kind;
 }
 
 /// Whether one event loop has other bits where its balls are in another order, or where it begins

@@ -16,10 +16,23 @@ struct ShownCell {
   std::uint32_t back = 0xFFFFFFFF;
 };
 
+/// A row of a screen, with ? for what is not ASCII.
+inline std::string row_of(VTermScreen* screen, int row, int columns) {
+  std::string line;
+  for (int column = 0; column < columns; ++column) {
+    VTermScreenCell cell;
+    if (vterm_screen_get_cell(screen, {row, column}, &cell) == 0) break;
+    const auto character = cell.chars[0];
+    line += character == 0 ? ' ' : character < 0x80 ? static_cast<char>(character) : '?';
+  }
+  return line;
+}
+
 /// The screen of a terminal without a program in it: libvterm, fed with bytes.
 class VtermScreen {
  public:
-  VtermScreen(int columns, int rows) : vterm_(vterm_new(rows, columns)) {
+  VtermScreen(int columns, int rows)
+      : columns_(columns), rows_(rows), vterm_(vterm_new(rows, columns)) {
     vterm_set_utf8(vterm_, 1);
     screen_ = vterm_obtain_screen(vterm_);
     vterm_screen_reset(screen_, 1);
@@ -28,6 +41,11 @@ class VtermScreen {
   VtermScreen(const VtermScreen&) = delete;
   VtermScreen& operator=(const VtermScreen&) = delete;
 
+  void resize(int columns, int rows) {
+    columns_ = columns;
+    rows_ = rows;
+    vterm_set_size(vterm_, rows, columns);
+  }
   void write(const std::string& bytes) { vterm_input_write(vterm_, bytes.data(), bytes.size()); }
 
   [[nodiscard]] ShownCell at(int column, int row) const {
@@ -41,6 +59,16 @@ class VtermScreen {
     if (!VTERM_COLOR_IS_DEFAULT_BG(&cell.bg)) shown.back = color(cell.bg);
     return shown;
   }
+  /// All rows, each with a line feed and without the spaces at its end.
+  [[nodiscard]] std::string text() const {
+    std::string all;
+    for (int row = 0; row < rows_; ++row) {
+      std::string line = row_of(screen_, row, columns_);
+      line.erase(line.find_last_not_of(' ') + 1);
+      all += line + '\n';
+    }
+    return all;
+  }
 
  private:
   static std::uint32_t color(const VTermColor& color) {
@@ -49,6 +77,8 @@ class VtermScreen {
            color.rgb.blue;
   }
 
+  int columns_;
+  int rows_;
   VTerm* vterm_;
   VTermScreen* screen_ = nullptr;
 };

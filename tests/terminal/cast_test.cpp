@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
-#include "shown.hpp"
 #include "support/process.hpp"
+#include "support/vterm_screen.hpp"
 
 namespace carom {
 namespace {
@@ -47,7 +47,7 @@ TEST(Cast, ReplayedShowsTheFramesOfTheDump) {
     output.emplace(last, event[2]);
   }
 
-  Shown shown(60, 17);
+  support::VtermScreen shown(60, 17);
   auto next = output.begin();
   std::istringstream dump(support::read_file(folder / "dump"));
   std::size_t frames = 0;

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "scenes.hpp"
-#include "shown.hpp"
 #include "support/process.hpp"
+#include "support/vterm_screen.hpp"
 #include "terminal.hpp"
 
 namespace carom::test {
@@ -108,7 +108,7 @@ TEST(Record, ReplayedShowsWhatTheScreenShowed) {
   EXPECT_EQ(header["width"], 80);
   EXPECT_EQ(header["height"], 24);
   EXPECT_EQ(header["title"], "carom: three");
-  Shown shown(80, 24);
+  support::VtermScreen shown(80, 24);
   double time = 0;
   std::size_t resizes = 0;
   std::size_t pictures = 0;

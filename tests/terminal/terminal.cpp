@@ -16,6 +16,7 @@
 #include <stdexcept>
 
 #include "support/process.hpp"
+#include "support/vterm_screen.hpp"
 
 namespace carom::test {
 namespace {
@@ -227,14 +228,7 @@ bool Terminal::wait_until_stopped() {
 }
 
 std::string Terminal::row(int row) const {
-  std::string line;
-  for (int column = 0; column < columns_; ++column) {
-    VTermScreenCell cell;
-    if (vterm_screen_get_cell(screen_, {row, column}, &cell) == 0) break;
-    const auto character = cell.chars[0];
-    line += character == 0 ? ' ' : character < 0x80 ? static_cast<char>(character) : '?';
-  }
-  return line;
+  return support::row_of(screen_, row, columns_);
 }
 
 std::string Terminal::text() const {

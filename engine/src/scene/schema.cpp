@@ -17,7 +17,7 @@ using scene::Key;
 using scene::Limit;
 using scene::Table;
 
-constexpr auto kLines = Writer::Layout::lines;
+constexpr auto kOnLines = Writer::Layout::lines;
 
 /// Writes the JSON Schema of scenes: a definition for each table of keys, in the tables' words.
 class SchemaWriter {
@@ -25,11 +25,11 @@ class SchemaWriter {
   explicit SchemaWriter(const TextSink& sink) : writer_(sink) {}
 
   void write() {
-    writer_.begin_object(kLines);
+    writer_.begin_object(kOnLines);
     writer_.put("$schema", "http://json-schema.org/draft-07/schema#");
     writer_.put("title", "A scene of carom");
     put_object<Scene>();
-    writer_.key("definitions").begin_object(kLines);
+    writer_.key("definitions").begin_object(kOnLines);
     define<Box>("box");
     define<Effects>("effects");
     define<Ball>("ball");
@@ -44,7 +44,7 @@ class SchemaWriter {
  private:
   template <class Object>
   void define(std::string_view name) {
-    writer_.key(name).begin_object(kLines);
+    writer_.key(name).begin_object(kOnLines);
     put_object<Object>();
     writer_.end_object();
   }
@@ -56,7 +56,7 @@ class SchemaWriter {
     if (!Table<Object>::kAbout.empty()) writer_.put("description", Table<Object>::kAbout);
     writer_.put("additionalProperties", false);
     if (!partial_) put_required<Object>();
-    writer_.key("properties").begin_object(kLines);
+    writer_.key("properties").begin_object(kOnLines);
     scene::for_each_key<Object>([&](const auto& key) {
       writer_.key(key.name).begin_object();
       put_type(key);
@@ -238,8 +238,8 @@ class SchemaWriter {
   // --- the script ---
 
   void define_script() {
-    writer_.key("script_line").begin_object(kLines).put("type", "object").key("oneOf");
-    writer_.begin_list(kLines);
+    writer_.key("script_line").begin_object(kOnLines).put("type", "object").key("oneOf");
+    writer_.begin_list(kOnLines);
     scene::for_each_line([&](const auto& line) {
       writer_.begin_object();
       refer_to(line.kWord);
@@ -248,7 +248,7 @@ class SchemaWriter {
     writer_.end_list().end_object();
     scene::for_each_line([&]<class Line>(const Line& line) {
       word_ = line.kWord;
-      writer_.key(line.kWord).begin_object(kLines);
+      writer_.key(line.kWord).begin_object(kOnLines);
       put_line<Line>();
       writer_.end_object();
     });
@@ -258,7 +258,7 @@ class SchemaWriter {
     writer_.put("type", "object").put("additionalProperties", false);
     put_required<Line>();
     partial_ = std::is_same_v<Line, scene::SetLine>;
-    writer_.key("properties").begin_object(kLines);
+    writer_.key("properties").begin_object(kOnLines);
     scene::for_each_key<Line>([&](const auto& key) {
       writer_.key(key.name).begin_object();
       put_type(key);

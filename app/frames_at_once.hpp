@@ -9,9 +9,9 @@ namespace carom {
 
 /// How many frames a run advances at once where no frame is written: all, or so many that its
 /// progress is shown ten times a second.
-class Stretch {
+class FramesAtOnce {
  public:
-  explicit Stretch(bool shows_progress)
+  explicit FramesAtOnce(bool shows_progress)
       : frames_(shows_progress ? 1 : std::numeric_limits<std::uint64_t>::max()),
         adapts_(shows_progress) {}
 
