@@ -19,7 +19,7 @@ constexpr double kStill = 0x1p-6;
 constexpr double kStillAlone = 0x1p-10;
 // Closer than this after the flight balls are linked, as a part of how far the acceleration takes
 // a ball in a step.
-constexpr double kLinked = 1;
+constexpr double kLinked = 3;
 constexpr double kUnequal = 16;  // masses: the heavier ball lies on the lighter one for long
 
 Vec2 column(const std::array<std::vector<double>, 2>& columns, std::size_t ball) {
@@ -270,9 +270,8 @@ void LastingContacts::join(Balls& balls, std::span<const Pair> near, std::span<c
   islands_ = std::move(kept);
   linked_.insert(linked_.end(), crossing.begin(), crossing.end());
   std::sort(linked_.begin(), linked_.end());
-  double gap = kLinked * rule_.acceleration.norm() * rule_.step * rule_.step;
-  if (all) gap = std::numeric_limits<double>::infinity();
-  assemble(balls, near, gap);
+  // What is near may be come to next.
+  assemble(balls, near, std::numeric_limits<double>::infinity());
 }
 
 void LastingContacts::add_member(Island& island, const Balls& balls, std::uint32_t ball) {
