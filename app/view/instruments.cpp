@@ -202,7 +202,13 @@ InstrumentReadings Instruments::readings() const {
   if (samples_.empty()) return result;
   result.input = input_;
   result.speeds = speeds();
+  const double density = moving_ / (box_.width * box_.height);
   for (const Sample& sample : samples_) {
+    result.temperatures.push_back(sample.temperature);
+    result.pressures.push_back(sample.pressure);
+    const double ideal = density * sample.temperature;
+    result.compressibilities.push_back(ideal > 0 ? sample.pressure / ideal : 0);
+    result.impact_rates.push_back(sample.impacts_per_second);
     result.kinetic.push_back(sample.kinetic);
     result.potential.push_back(sample.potential);
     result.dissipated.push_back(sample.dissipated);
@@ -214,7 +220,7 @@ InstrumentReadings Instruments::readings() const {
   const TimeAverage pressure = average(&Sample::pressure);
   result.temperature = temperature;
   result.pressure = pressure;
-  const double ideal = moving_ * temperature.mean / (box_.width * box_.height);
+  const double ideal = density * temperature.mean;
   if (ideal > 0) {
     result.Z = TimeAverage{pressure.mean / ideal, std::nullopt};
     if (pressure.error) result.Z->error = *pressure.error / ideal;

@@ -43,6 +43,10 @@ struct InstrumentReadings {
   std::optional<double> mean_free_path;
   std::optional<FluidTheory> theory;
   // Frame by frame, the oldest first.
+  std::vector<double> temperatures;
+  std::vector<double> pressures;
+  std::vector<double> compressibilities;  ///< Z
+  std::vector<double> impact_rates;
   std::vector<double> kinetic;
   std::vector<double> potential;
   std::vector<double> dissipated;

@@ -106,30 +106,42 @@ struct Value {
   const std::vector<double>* curve = nullptr;
 };
 
-/// Names, values and, where there is room, curves.
+/// Names, values and curves: a curve stands beside its value where the block is wide enough, else
+/// below it while rows are left.
 Canvas table(const std::vector<Value>& values, int columns, int rows, Glyphs glyphs) {
   Canvas block(columns, rows);
-  std::size_t longest = 0;
-  for (const Value& value : values) longest = std::max(longest, value.name.size());
-  const int name = static_cast<int>(longest) + 1;
+  std::size_t name = 0;
+  std::size_t text = 0;
+  for (const Value& value : values) {
+    name = std::max(name, value.name.size());
+    if (value.curve != nullptr) text = std::max(text, value.text.size());
+  }
+  const int at = static_cast<int>(name) + 1;
+  const int curve = at + std::max(kWidestNumber, static_cast<int>(text) + 1);
+  const bool beside = columns - curve >= kLeastCurve;
+  int spare = rows - static_cast<int>(values.size());
   int row = 0;
   for (const Value& value : values) {
     block.write(0, row, value.name, Ink::status);
-    block.write(name, row, value.text, Ink::status);
-    const int at = name + kWidestNumber;
-    if (value.curve != nullptr && columns - at >= kLeastCurve)
+    block.write(at, row, value.text, Ink::status);
+    if (value.curve != nullptr && beside) {
+      lay_over(sparkline(*value.curve, columns - curve, glyphs), curve, row, block);
+    } else if (value.curve != nullptr && spare > 0 && columns - at >= kLeastCurve) {
+      --spare;
+      ++row;
       lay_over(sparkline(*value.curve, columns - at, glyphs), at, row, block);
+    }
     ++row;
   }
   return block;
 }
 
 std::vector<Value> averages_of(const InstrumentReadings& readings) {
-  std::vector<Value> values{{"temperature", average(readings.temperature)},
-                            {"pressure", average(readings.pressure)},
-                            {"Z", average(readings.Z)}};
+  std::vector<Value> values{{"temperature", average(readings.temperature), &readings.temperatures},
+                            {"pressure", average(readings.pressure), &readings.pressures},
+                            {"Z", average(readings.Z), &readings.compressibilities}};
   if (readings.theory) values.push_back({"  theory", short_number(readings.theory->Z)});
-  values.push_back({"impacts / s", average(readings.impacts_per_second)});
+  values.push_back({"impacts / s", average(readings.impacts_per_second), &readings.impact_rates});
   if (readings.theory)
     values.push_back({"  theory", short_number(readings.theory->impacts_per_second)});
   values.push_back(

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "view/instruments_panel.hpp"
 #include "view/sparkline.hpp"
@@ -161,6 +163,32 @@ TEST(InstrumentsPanel, IsAsLargeAsItIsTold) {
     }
     simulation.advance_to(0.1);
     instruments.measure(simulation, simulation.measure());
+  }
+}
+
+TEST(InstrumentsPanel, DrawsACurveForEachAverageInItsRowOrBelowIt) {
+  InstrumentReadings readings;
+  readings.temperature = TimeAverage{1, std::nullopt};
+  readings.pressure = TimeAverage{2, std::nullopt};
+  readings.Z = TimeAverage{3, std::nullopt};
+  readings.impacts_per_second = TimeAverage{4, std::nullopt};
+  readings.temperatures = {1, 1, 9, 9};
+  readings.pressures = {9, 9, 1, 1};
+  readings.compressibilities = {1, 9, 1, 9};
+  readings.impact_rates = {9, 1, 9, 1};
+  // Wide enough: in the row of the value.  Narrow: below it.
+  const std::string wide = text_of(instruments_panel(readings, 44, 30, Glyphs::ascii));
+  const std::string narrow = text_of(instruments_panel(readings, 78, 11, Glyphs::ascii));
+  for (const auto& [name, curve] : {std::pair{"temperature", "__@@"}, std::pair{"pressure", "@@__"},
+                                    std::pair{"Z  ", "_@_@"}, std::pair{"impacts / s", "@_@_"}}) {
+    for (const bool below : {false, true}) {
+      const std::string& text = below ? narrow : wide;
+      const std::size_t row = text.find('\n', text.find(name)) + (below ? 1 : 0);
+      const std::size_t begin = text.rfind('\n', row - 1) + 1;
+      EXPECT_NE(text.substr(begin, text.find('\n', row) - begin).find(curve), std::string::npos)
+          << name << '\n'
+          << text;
+    }
   }
 }
 
