@@ -25,7 +25,7 @@ set(prefix ${FOLDER}/installed)
 
 # The program alone: nothing of the library comes along, and it finds its scenes.
 run(${CMAKE_COMMAND} --install ${BUILD} --component program --prefix ${prefix})
-expect_installed(bin/carom share/man/man1/carom.1 share/man/man1/carom-sweep.1
+expect_installed(bin/carom share/man/man1/carom.1 share/man/man1/carom-play.1 share/man/man1/carom-sweep.1
   share/man/man5/carom-scene.5 share/man/man5/carom-output.5 share/man/man7/carom-models.7
   share/man/man7/carom-algorithms.7 share/man/man7/carom-figures.7
   share/carom/scenes/break.json share/carom/scenes/scene.schema.json

@@ -39,10 +39,16 @@ std::string section(const std::string& title) {
                "\n\\.S[sh] ");
 }
 
+std::string page_of_play() {
+  return support::read_file(CAROM_SOURCE_DIR "/man/carom-play.1");
+}
+
 std::string page_entry(const std::string& command, const OptionRow& row) {
   const std::string start =
       "\n.It Fl " + row.name.substr(1) + (row.value.empty() ? "" : " Ar " + row.value) + "\n";
-  const std::string of_command = entry(section("Options of " + command), start, "\n\\.(It|El)");
+  // The terminal's has a page of its own.
+  const std::string options = command == "play" ? page_of_play() : section("Options of " + command);
+  const std::string of_command = entry(options, start, "\n\\.(It|El)");
   return of_command.empty() ? entry(section("Common options"), start, "\n\\.(It|El)") : of_command;
 }
 
@@ -117,7 +123,7 @@ TEST(Help, TheValuesOfAChoiceAreInHelpPageAndParser) {
 TEST(Help, ThePageHasNoOptionThatIsNotInTheTable) {
   std::set<std::string> known{"--help", "--version"};
   for (const OptionRow& row : option_table()) known.insert(row.name);
-  const std::string page = support::read_file(CAROM_SOURCE_DIR "/man/carom.1");
+  const std::string page = support::read_file(CAROM_SOURCE_DIR "/man/carom.1") + page_of_play();
   const std::regex item("\n\\.It Fl (?:[a-z] , )?(-[a-z-]+)");
   std::set<std::string> in_page;
   for (std::sregex_iterator it(page.begin(), page.end(), item), end; it != end; ++it) {
