@@ -70,9 +70,11 @@ void note_contacts(const LastingIsland& island, const Balls& balls, const Island
     impact.energy_lost = std::max(0.0, lost);
     shares += impact.energy_lost;
   }
+  // What no normal impulse has taken, as friction's, stands with the first.
+  const double all = std::max(island.lost, 0.0);
   for (std::size_t k = first; k < log.impacts.size(); ++k) {
     double& part = log.impacts[k].energy_lost;
-    part = shares > 0 ? std::max(island.lost, 0.0) * (part / shares) : 0;
+    part = shares > 0 ? all * (part / shares) : k == first ? all : 0;
   }
 }
 

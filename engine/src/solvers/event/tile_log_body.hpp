@@ -56,7 +56,8 @@ void Tile<P>::log_alone(Index i, Index partner, const Before& was_a, const Befor
     return Vec2{static_cast<double>(v.x), static_cast<double>(v.y)};
   };
   Impact& impact = log_contact(now, i, partner, r);
-  const Vec2 n = impact.normal;
+  // Both impulses are the same seen from either of the two; here the normal leads away from i.
+  const Vec2 n = impact.a == i ? impact.normal : -impact.normal;
   const Vec2 t{-n.y(), n.x()};
   const Vec2 was = in_double(b_before - a_before);
   const Vec2 is = in_double(b_after - Vec<S>{a.vx, a.vy});
