@@ -21,7 +21,7 @@
 namespace carom {
 namespace {
 
-constexpr const char* kFirstLine = "carom checkpoint 1";
+constexpr const char* kFirstLine = "carom checkpoint 2";
 
 /// Lines of a name and its values.
 class Lines {
@@ -61,8 +61,6 @@ void for_each_number(M& m, Visit visit) {
   visit(m.islands_again);
   visit(m.missed_hits);
   visit(m.energy_initial);
-  visit(m.energy_input);
-  visit(m.energy_dissipated);
   visit(m.energy_largest);
   visit(m.momentum_initial.x());
   visit(m.momentum_initial.y());
@@ -113,12 +111,21 @@ std::optional<Checkpoint> CheckpointFile::read() const {
     }
     {
       auto values = lines.next("numbers");
-      take(values, result.numbering.next_id);
-      take(values, result.numbering.next_event);
+      Bookkeeping& bookkeeping = result.bookkeeping;
+      take(values, bookkeeping.next_id);
+      take(values, bookkeeping.next_event);
       std::size_t count = 0;
       take(values, count);
-      result.numbering.ids.resize(count);
-      for (std::size_t& id : result.numbering.ids) take(values, id);
+      bookkeeping.ids.resize(count);
+      for (std::size_t& id : bookkeeping.ids) take(values, id);
+    }
+    {
+      auto values = lines.next("energies");
+      std::size_t count = 0;
+      take(values, result.bookkeeping.energy_input);
+      take(values, count);
+      result.bookkeeping.losses.resize(count);
+      for (double& loss : result.bookkeeping.losses) take(values, loss);
     }
     auto values = lines.next("files");
     std::size_t count = 0;
@@ -144,9 +151,11 @@ void CheckpointFile::write(const Checkpoint& checkpoint) {
   std::string text = fmt::format("{}\nrun {}\nframes {} {} {}\n", kFirstLine, run_,
                                  checkpoint.frame, checkpoint.first_frame, checkpoint.start_time);
   text += text_of(checkpoint.measured);
-  const Numbering& numbering = checkpoint.numbering;
-  text += fmt::format("numbers {} {} {} {}\n", numbering.next_id, numbering.next_event,
-                      numbering.ids.size(), fmt::join(numbering.ids, " "));
+  const Bookkeeping& bookkeeping = checkpoint.bookkeeping;
+  text += fmt::format("numbers {} {} {} {}\n", bookkeeping.next_id, bookkeeping.next_event,
+                      bookkeeping.ids.size(), fmt::join(bookkeeping.ids, " "));
+  text += fmt::format("energies {} {} {}\n", bookkeeping.energy_input, bookkeeping.losses.size(),
+                      fmt::join(bookkeeping.losses, " "));
   text += fmt::format("files {}", checkpoint.files.size());
   for (const auto& [option, length] : checkpoint.files) {
     text += fmt::format(" {} {}", option, length);

@@ -19,7 +19,7 @@ struct Checkpoint {
   std::uint64_t first_frame = 0;  ///< of the run
   double start_time = 0;          ///< simulated seconds at its start
   Measurements measured;          ///< since the start; without seconds
-  Numbering numbering;            ///< of balls and events
+  Bookkeeping bookkeeping;        ///< of balls, events and losses
   /// The files that are written along the way: their option and how long they are.
   std::vector<std::pair<std::string, std::uint64_t>> files;
   Scene scene;  ///< as Session::save has it

@@ -98,7 +98,7 @@ Checkpoint checkpoint_of(const Session& session, const Schedule& schedule, RunOu
   checkpoint.start_time = schedule.beginning().time;
   checkpoint.measured = session.simulation().measure();
   if (earlier) checkpoint.measured = together(earlier->measured, checkpoint.measured);
-  checkpoint.numbering = session.simulation().numbering();
+  checkpoint.bookkeeping = session.simulation().bookkeeping();
   checkpoint.scene = session.save();
   outputs.keep(checkpoint);
   return checkpoint;
@@ -129,7 +129,7 @@ int run(const Options& options) {
                              options.checkpoint.empty() ? "" : identity(scene, options));
   std::optional<Checkpoint> earlier = checkpoints.read();
   auto holder = std::make_unique<Session>(earlier ? earlier->scene : scene);
-  if (earlier) holder->simulation().go_on_from(earlier->numbering);
+  if (earlier) holder->simulation().go_on_from(earlier->bookkeeping);
   if (earlier && !outputs->go_on(*holder, *earlier)) {
     print_error("carom: --checkpoint: its unfinished files are gone: the run begins again\n");
     earlier.reset();
@@ -155,8 +155,8 @@ int run(const Options& options) {
   outputs->end(schedule.frame());
   progress.erase();
 
-  Report report = make_report(session);
-  if (earlier) report.measurements = together(earlier->measured, report.measurements);
+  const Measurements since = session.simulation().measure();
+  Report report = make_report(session, earlier ? together(earlier->measured, since) : since);
   report.frames = schedule.frames();
   report.ended = end_name(schedule.end());
   report.wall_seconds = std::chrono::duration<double>(Clock::now() - started).count();

@@ -13,16 +13,7 @@ Measurements together(const Measurements& before, const Measurements& since) {
   all.islands_again += before.islands_again;
   all.missed_hits += before.missed_hits;
   all.energy_initial = before.energy_initial;
-  all.energy_input = before.energy_input + since.energy_input;
-  const auto add = [](const auto& one, auto& other) {
-    if constexpr (requires { other.energy_dissipated; }) {
-      other.energy_dissipated += one.energy_dissipated;
-    }
-    if constexpr (requires { other.energy_largest; }) {
-      other.energy_largest = std::max(other.energy_largest, one.energy_largest);
-    }
-  };
-  add(before, all);
+  all.energy_largest = std::max(before.energy_largest, since.energy_largest);
   all.momentum_initial = before.momentum_initial;
   all.max_overlap = std::max(before.max_overlap, since.max_overlap);
   return all;

@@ -51,7 +51,8 @@ class FrameRecorder {
   std::optional<Measurements> before_;
 };
 
-/// What was measured before and what was measured since, as of one run.
+/// What was measured before and what was measured since, by a simulation that goes on from the
+/// bookkeeping of then, as of one run.
 Measurements together(const Measurements& before, const Measurements& since);
 
 }  // namespace carom

@@ -106,7 +106,7 @@ void History::go_back(std::unique_ptr<Session>& session, double time) {
   scene.continuation->paused = true;
   session.reset();  // its threads end before as many start again
   session = std::make_unique<Session>(std::move(scene));
-  session->simulation().go_on_from(from.numbering);
+  session->simulation().go_on_from(from.bookkeeping);
   session->set_effects_when_on(from.when_on);
   Scene log = frontier_->log;
   log.script.resize(from.commands);
@@ -137,12 +137,13 @@ void History::add(const Session& session) {
   const Simulation& simulation = session.simulation();
   checkpoint.time = simulation.time();
   checkpoint.scene = simulation.save();
-  checkpoint.numbering = simulation.numbering();
+  checkpoint.bookkeeping = simulation.bookkeeping();
   checkpoint.when_on = session.effects_when_on();
   checkpoint.measured = measured(session);
   checkpoint.commands = session.commands();
   checkpoint.bytes = sizeof(Checkpoint) + bytes_of(checkpoint.scene) +
-                     checkpoint.numbering.ids.size() * sizeof(std::size_t);
+                     checkpoint.bookkeeping.ids.size() * sizeof(std::size_t) +
+                     checkpoint.bookkeeping.losses.size() * sizeof(double);
   bytes_ += checkpoint.bytes;
   checkpoints_.push_back(std::move(checkpoint));
 }

@@ -53,7 +53,7 @@ class History {
   struct Checkpoint {
     double time = 0;
     Scene scene;
-    Numbering numbering;
+    Bookkeeping bookkeeping;
     Effects when_on;
     Measurements measured;
     std::size_t commands = 0;  // obeyed before

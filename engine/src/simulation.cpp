@@ -160,11 +160,16 @@ class Simulation::Implementation {
     return record_.take();
   }
   const std::vector<std::size_t>& ids() const { return ids_; }
-  Numbering numbering() const { return {ids_, next_id_, record_.next_event()}; }
-  void go_on_from(const Numbering& numbering) {
-    ids_ = numbering.ids;
-    next_id_ = numbering.next_id;
-    record_ = ImpactRecord(numbering.next_event);
+  Bookkeeping bookkeeping() const {
+    return {ids_, next_id_, record_.next_event(), energy_input_, solver_->losses()};
+  }
+  void go_on_from(const Bookkeeping& earlier) {
+    ids_ = earlier.ids;
+    next_id_ = earlier.next_id;
+    record_ = ImpactRecord(earlier.next_event);
+    solver_->go_on_from_losses(earlier.losses);
+    dissipated_before_ = 0;
+    energy_input_ = earlier.energy_input;
     energy_largest_ = 0;  // the energy at which it goes on is no new look
   }
 
@@ -334,11 +339,11 @@ SceneStream Simulation::save_stream() const {
 const std::vector<std::size_t>& Simulation::ids() const {
   return implementation_->ids();
 }
-Numbering Simulation::numbering() const {
-  return implementation_->numbering();
+Bookkeeping Simulation::bookkeeping() const {
+  return implementation_->bookkeeping();
 }
-void Simulation::go_on_from(const Numbering& numbering) {
-  implementation_->go_on_from(numbering);
+void Simulation::go_on_from(const Bookkeeping& bookkeeping) {
+  implementation_->go_on_from(bookkeeping);
 }
 void Simulation::record_impacts(bool wanted) {
   implementation_->record_impacts(wanted);

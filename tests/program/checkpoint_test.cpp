@@ -53,8 +53,12 @@ Json lasting(const std::string& text) {
 }
 
 TEST(Checkpoint, ARunThatWasKilledEndsLikeOneThatWasNot) {
-  for (const std::string more :
-       {"}", R"(, "gravity": [0, -1]}, "solver": {"method": "overlap"})"}) {
+  const std::string losses =
+      R"(, "drag": {"rate": 0.01}, "friction": {"balls": 0.2, "walls": 0.3}})";
+  for (const std::string& more :
+       {std::string("}"), std::string(R"(, "gravity": [0, -1]}, "solver": {"method": "overlap"})"),
+        losses, losses + R"(, "solver": {"method": "overlap"})"}) {
+    SCOPED_TRACE(more);
     const TemporaryFolder undisturbed;
     support::write_file(undisturbed / "scene.json", scene(more));
     ASSERT_EQ(support::run(words(""), {undisturbed.path(), ""}).status, 0);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,8 @@ struct Report {
   std::size_t balls = 0;
 };
 
-Report make_report(const Session& session);
+/// `measured`: of the whole run, where the session is not all of it.
+Report make_report(const Session& session, const std::optional<Measurements>& measured = {});
 
 /// Writes the report as a JSON object, with the state of the balls, one by one, or without.
 void write_report(const Report& report, const Simulation* with_state, const TextSink& sink);

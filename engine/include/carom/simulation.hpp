@@ -24,11 +24,14 @@ class CommandError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What balls and events are called from here on, so that a run that goes on calls them the same.
-struct Numbering {
+/// What a run that goes on needs beside its scene to write the same: what balls and events are
+/// called from here on, and from what its energies add up.
+struct Bookkeeping {
   std::vector<std::size_t> ids;  ///< of the balls, in their order
   std::size_t next_id = 0;
   std::uint64_t next_event = 0;
+  double energy_input = 0;     ///< by commands
+  std::vector<double> losses;  ///< as the solver sums them up
 };
 
 /// The state of a scene, one solver, only the effects asked for, and the crew of workers.
@@ -78,9 +81,9 @@ class Simulation {
   /// fills and later additions, whatever has been removed.
   [[nodiscard]] const std::vector<std::size_t>& ids() const;
   /// REQUIRES: the impacts that were noted have been taken.
-  [[nodiscard]] Numbering numbering() const;
+  [[nodiscard]] Bookkeeping bookkeeping() const;
   /// REQUIRES: a number for each ball.
-  void go_on_from(const Numbering& numbering);
+  void go_on_from(const Bookkeeping& bookkeeping);
 
   /// Notes every impact and command from now on, or none any more.  Nothing else changes.
   void record_impacts(bool wanted);

@@ -64,7 +64,7 @@ const char* method_name(Method method) {
   return method == Method::overlap ? "overlap" : "event";
 }
 
-Report make_report(const Session& session) {
+Report make_report(const Session& session, const std::optional<Measurements>& measured) {
   const Simulation& simulation = session.simulation();
   Report report;
   report.scene = session.scene().name;
@@ -76,7 +76,7 @@ Report make_report(const Session& session) {
   report.workers = simulation.workers();
   report.seed = session.scene().seed;
   report.spin = session.scene().effects.friction.has_value();
-  report.measurements = simulation.measure();
+  report.measurements = measured ? *measured : simulation.measure();
   report.warning = warning_of(report, session.scene().effects.attraction.has_value());
   report.state_hash = simulation.state_hash();
   report.balls = simulation.balls();

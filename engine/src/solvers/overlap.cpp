@@ -573,6 +573,18 @@ double OverlapSolver::dissipated() const {
   return std::accumulate(lost_.begin(), lost_.end(), lost_before_);
 }
 
+std::vector<double> OverlapSolver::losses() const {
+  std::vector<double> losses{lost_before_};
+  losses.insert(losses.end(), lost_.begin(), lost_.end());
+  return losses;
+}
+
+void OverlapSolver::go_on_from_losses(const std::vector<double>& losses) {
+  if (losses.empty()) return;
+  lost_before_ = losses.front();
+  if (losses.size() == lost_.size() + 1) std::copy(losses.begin() + 1, losses.end(), lost_.begin());
+}
+
 void OverlapSolver::count(Measurements& measurements) const {
   measurements.missed_hits += missed_;
   EffectSeconds seconds;

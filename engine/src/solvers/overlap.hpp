@@ -66,6 +66,8 @@ class OverlapSolver final : public Solver {
   [[nodiscard]] std::string state_hash() const override { return carom::state_hash(balls_); }
   [[nodiscard]] double energy() const override;
   [[nodiscard]] double dissipated() const override;
+  [[nodiscard]] std::vector<double> losses() const override;
+  void go_on_from_losses(const std::vector<double>& losses) override;
   [[nodiscard]] Vec2 momentum() const override { return carom::momentum(balls_); }
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;

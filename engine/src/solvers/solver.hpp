@@ -58,6 +58,9 @@ class Solver {
   [[nodiscard]] virtual double energy() const = 0;
   /// The energy that restitution, friction and drag have taken so far, each by its own formula.
   [[nodiscard]] virtual double dissipated() const = 0;
+  /// What it is summed up from, and going on from that: later sums are the same to the last bit.
+  [[nodiscard]] virtual std::vector<double> losses() const = 0;
+  virtual void go_on_from_losses(const std::vector<double>& losses) = 0;
   [[nodiscard]] virtual Vec2 momentum() const = 0;
   /// Adds what the solver has counted: impacts, deepest overlap, seconds of the effects.
   virtual void count(Measurements& measurements) const = 0;

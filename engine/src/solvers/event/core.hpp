@@ -91,6 +91,9 @@ class Core {
   [[nodiscard]] virtual double energy_ahead() const = 0;
   /// The energy that impacts and drag have taken since the start.
   [[nodiscard]] virtual double dissipated() const = 0;
+  /// As in Solver: terms whose exact sum it is, but for the drag of present flights.
+  [[nodiscard]] virtual std::vector<double> losses() const = 0;
+  virtual void go_on_from_losses(const std::vector<double>& losses) = 0;
   [[nodiscard]] virtual Tally tally() const = 0;
   /// As in Solver: notes impacts, and gives those noted since the last call.
   virtual void record_impacts(bool /*wanted*/) {}

@@ -25,7 +25,6 @@ class EnergyBook {
   void add_drag(double lost) {
     if (lost != 0) sum_.add(lost);
   }
-  [[nodiscard]] double lost() const { return sum_.rounded(); }
   /// Exact: terms of which it is the sum.
   [[nodiscard]] const std::vector<double>& parts() const { return sum_.parts(); }
 

@@ -34,6 +34,10 @@ class EventSolver final : public Solver {
   [[nodiscard]] std::string state_hash() const override;
   [[nodiscard]] double energy() const override;
   [[nodiscard]] double dissipated() const override { return core_->dissipated(); }
+  [[nodiscard]] std::vector<double> losses() const override { return core_->losses(); }
+  void go_on_from_losses(const std::vector<double>& losses) override {
+    core_->go_on_from_losses(losses);
+  }
   [[nodiscard]] Vec2 momentum() const override;
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;

@@ -114,7 +114,8 @@ class Tile {
   [[nodiscard]] const Turns& turns() const { return turns_; }
   [[nodiscard]] std::size_t bytes() const;
   /// The energy that impacts since it was made have taken, and drag from flights that are over.
-  [[nodiscard]] double lost() const { return book_.lost(); }
+  /// Terms of which it is the exact sum.
+  [[nodiscard]] const std::vector<double>& losses() const { return book_.parts(); }
   /// The same since the last time this was asked, as terms of an exact sum.
   [[nodiscard]] std::vector<double> take_lost() {
     return std::exchange(book_, EnergyBook{}).parts();

@@ -40,6 +40,8 @@ class TileCore final : public Core {
   [[nodiscard]] Turns turns() const override { return turns(true); }
   [[nodiscard]] double energy_ahead() const override;
   [[nodiscard]] double dissipated() const override;
+  [[nodiscard]] std::vector<double> losses() const override;
+  void go_on_from_losses(const std::vector<double>& losses) override;
   [[nodiscard]] Tally tally() const override;
   void save(Continuation& continuation) const override;
   void visit_flights(const std::function<void(const SavedFlight&)>& visit) const override;
@@ -86,6 +88,7 @@ class TileCore final : public Core {
   /// How often each ball was brought back round a periodic axis that gravity pulls along, in the
   /// flights that are over, and in the present ones if so asked.
   [[nodiscard]] Turns turns(bool of_present_flights) const;
+  [[nodiscard]] ExactSum<double> lost() const;
   /// What drag has taken from the present flights till now; in domains, since they began.
   [[nodiscard]] double present_drag() const;
   void start();
@@ -111,7 +114,7 @@ class TileCore final : public Core {
   std::uint64_t again_ = 0;  // solved again by domains that are gone
   Counts before_;            // counted in tiles that are gone
   Costs costs_before_;
-  double lost_before_ = 0;     // energy
+  ExactSum<double> lost_before_;  // energy
   double domains_energy_ = 0;  // kinetic, as they began,
   Moment domains_began_;       // then
   Turns turns_before_;         // in the order of the balls

@@ -338,7 +338,8 @@ void TileCore<P>::land() {
   before_.resting_contacts += counts().resting_contacts;
   before_.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
   costs_before_ += costs();
-  lost_before_ = dissipated();
+  lost_before_ = lost();
+  lost_before_.add(present_drag());
   if constexpr (kShares) {
     if (domains_) again_ += domains_->solved_again();
   }
@@ -418,7 +419,7 @@ void TileCore<P>::start() {
   if (log_.wanted) tile_->note_in(&log_);
   flights_.clear();
   // What was taken from these flights before has been counted already.
-  lost_before_ -= present_drag();
+  lost_before_.add(-present_drag());
 }
 
 // In domains nothing but drag loses energy where it acts, and without gravity it takes the same
@@ -441,11 +442,32 @@ double TileCore<P>::present_drag() const {
 
 template <class P>
 double TileCore<P>::dissipated() const {
-  double lost = lost_before_ + (tile_ ? tile_->lost() : 0) + (groups_ ? groups_->lost() : 0);
-  if constexpr (kShares) {
-    if (domains_) lost += domains_->lost();
-  }
-  return lost + present_drag();
+  return lost().rounded() + present_drag();
+}
+
+// But for the drag of the present flights.
+template <class P>
+ExactSum<double> TileCore<P>::lost() const {
+  ExactSum<double> sum = lost_before_;
+  const auto add = [&sum](const auto& part) {
+    if (!part) return;
+    for (const double term : part->losses()) sum.add(term);
+  };
+  add(tile_);
+  add(groups_);
+  if constexpr (kShares) add(domains_);
+  return sum;
+}
+
+template <class P>
+std::vector<double> TileCore<P>::losses() const {
+  return lost().parts();
+}
+
+template <class P>
+void TileCore<P>::go_on_from_losses(const std::vector<double>& losses) {
+  lost_before_.clear();
+  for (const double term : losses) lost_before_.add(term);
 }
 
 // Impacts are noted by one tile alone: parts of the plane take some of theirs back.

@@ -78,6 +78,15 @@ double WideCore::dissipated() const {
   return core_->dissipated();
 }
 
+std::vector<double> WideCore::losses() const {
+  const WidePrecision precision(digits_);
+  return core_->losses();
+}
+
+void WideCore::go_on_from_losses(const std::vector<double>& losses) {
+  core_->go_on_from_losses(losses);
+}
+
 Tally WideCore::tally() const {
   const WidePrecision precision(digits_);
   return core_->tally();

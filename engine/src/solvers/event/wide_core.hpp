@@ -26,6 +26,8 @@ class WideCore final : public Core {
   [[nodiscard]] Turns turns() const override;
   [[nodiscard]] double energy_ahead() const override;
   [[nodiscard]] double dissipated() const override;
+  [[nodiscard]] std::vector<double> losses() const override;
+  void go_on_from_losses(const std::vector<double>& losses) override;
   [[nodiscard]] Tally tally() const override;
   void save(Continuation& continuation) const override;
   void visit_flights(const std::function<void(const SavedFlight&)>& visit) const override;

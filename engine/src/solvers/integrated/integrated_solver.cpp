@@ -297,6 +297,20 @@ double IntegratedSolver::dissipated() const {
   return std::accumulate(state_.lost.begin(), state_.lost.end(), state_.lost_before);
 }
 
+std::vector<double> IntegratedSolver::losses() const {
+  std::vector<double> losses{state_.lost_before};
+  losses.insert(losses.end(), state_.lost.begin(), state_.lost.end());
+  return losses;
+}
+
+void IntegratedSolver::go_on_from_losses(const std::vector<double>& losses) {
+  if (losses.empty()) return;
+  state_.lost_before = losses.front();
+  if (losses.size() == state_.lost.size() + 1) {
+    std::copy(losses.begin() + 1, losses.end(), state_.lost.begin());
+  }
+}
+
 void IntegratedSolver::count(Measurements& measurements) const {
   measurements.ball_ball += state_.ball_ball;
   measurements.ball_wall += state_.ball_wall;

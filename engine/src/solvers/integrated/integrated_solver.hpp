@@ -58,6 +58,8 @@ class IntegratedSolver final : public Solver {
   [[nodiscard]] std::string state_hash() const override { return carom::state_hash(state_.balls); }
   [[nodiscard]] double energy() const override;
   [[nodiscard]] double dissipated() const override;
+  [[nodiscard]] std::vector<double> losses() const override;
+  void go_on_from_losses(const std::vector<double>& losses) override;
   [[nodiscard]] Vec2 momentum() const override { return carom::momentum(state_.balls); }
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;

@@ -78,7 +78,7 @@ class Domains {
   [[nodiscard]] Counts counts() const;
   [[nodiscard]] Costs costs() const;
   /// The energy that impacts have taken since `reset`; nothing of what drag takes.
-  [[nodiscard]] double lost() const;
+  [[nodiscard]] std::vector<double> losses() const;
   /// Windows are so often none for domains that another way is faster.
   [[nodiscard]] bool stuck() const { return stuck_; }
 

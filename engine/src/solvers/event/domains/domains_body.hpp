@@ -260,12 +260,12 @@ Counts Domains<P>::counts() const {
 }
 
 template <class P>
-double Domains<P>::lost() const {
+std::vector<double> Domains<P>::losses() const {
   ExactSum<double> sum = lost_;
   if (open_) {
     for (const double lost : desks_[0].domain->tally().lost) sum.add(lost);
   }
-  return sum.rounded();
+  return sum.parts();
 }
 
 template <class P>

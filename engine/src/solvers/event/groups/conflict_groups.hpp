@@ -95,7 +95,7 @@ class ConflictGroups {
   [[nodiscard]] const Counts& counts() const { return counts_; }
   [[nodiscard]] Costs costs() const;
   /// The energy that impacts since `reset` have taken, and drag from flights that are over.
-  [[nodiscard]] double lost() const { return lost_.rounded(); }
+  [[nodiscard]] const std::vector<double>& losses() const { return lost_.parts(); }
   /// How often each ball was brought back round a periodic axis that gravity pulls along, since
   /// `reset`; empty for other axes.
   [[nodiscard]] const Turns& turns() const { return turns_; }
