@@ -115,9 +115,9 @@ class TileCore final : public Core {
   Counts before_;            // counted in tiles that are gone
   Costs costs_before_;
   ExactSum<double> lost_before_;  // energy
-  double domains_energy_ = 0;  // kinetic, as they began,
-  Moment domains_began_;       // then
-  Turns turns_before_;         // in the order of the balls
+  double domains_energy_ = 0;     // kinetic, as they began,
+  Moment domains_began_;          // then
+  Turns turns_before_;            // in the order of the balls
   Moment now_;
   Moment target_;
   ImpactLog log_;              // of the tile, in the present era
