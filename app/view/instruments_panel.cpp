@@ -31,7 +31,7 @@ std::string average(const std::optional<TimeAverage>& value) {
                : short_number(value->mean);
 }
 
-/// The classes of speeds in so many columns, a whole short_number of classes each.
+/// The classes of speeds in so many columns, a whole number of classes each.
 int columns_of(std::size_t classes, int room) {
   for (int columns = static_cast<int>(classes); columns > 0; --columns) {
     if (columns <= room && static_cast<int>(classes) % columns == 0) return columns;
