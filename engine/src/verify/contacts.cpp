@@ -66,10 +66,10 @@ double slope_drag(const Trial& trial) {
                   std::abs(now.position.x() - 5 - 9 / (2 * rate) * (1 - kept)));
 }
 
-/// Two balls side by side and one on them: needs mu >= tan(15 degrees) at the floor and between
-/// balls.
-Outcome triangle(const Trial& trial, double friction, double time) {
-  const double height = 0.5 + std::sqrt(0.75);
+/// Two balls side by side and one on them, or falling on them: needs mu >= tan(15 degrees) at the
+/// floor and between balls.
+Outcome triangle(const Trial& trial, double friction, double fall, double time) {
+  const double height = 0.5 + std::sqrt(0.75) + fall;
   Scene scene =
       with_balls(trial.scene, {ball(5, 0.5, 0, 0), ball(6, 0.5, 0, 0), ball(5.5, height, 0, 0)});
   scene.effects.friction = Friction{friction, friction};
@@ -77,8 +77,20 @@ Outcome triangle(const Trial& trial, double friction, double time) {
 }
 
 double triangle_moves(const Trial& trial) {
-  const Outcome start = triangle(trial, 0.8, 0);
-  return farthest(start.balls, triangle(trial, 0.8, trial.scene.duration).balls) / 0.5;
+  const Outcome start = triangle(trial, 0.8, 0, 0);
+  return farthest(start.balls, triangle(trial, 0.8, 0, trial.scene.duration).balls) / 0.5;
+}
+
+/// Once the fallen one has come to rest.
+double triangle_creeps(const Trial& trial) {
+  const Outcome early = triangle(trial, 0.8, 0.02, trial.scene.duration / 2);
+  return farthest(early.balls, triangle(trial, 0.8, 0.02, trial.scene.duration).balls) / 0.5;
+}
+
+double triangle_sinks(const Trial& trial) {
+  const double top = 0.5 + std::sqrt(0.75);
+  const Outcome end = triangle(trial, 0.8, 0.02, trial.scene.duration);
+  return std::abs(end.balls[2].position.y() - top) / 0.5;
 }
 
 /// How often it falls just above its coefficient or stands just below it.
@@ -87,17 +99,18 @@ double triangle_mistaken(const Trial& trial) {
   const double top = 0.5 + std::sqrt(0.75);
   double mistaken = 0;
   for (const double part : {1.01, 0.99}) {
-    const Outcome end = triangle(trial, part * theory, 20);
+    const Outcome end = triangle(trial, part * theory, 0, 20);
     const bool stands = end.balls[2].position.y() > top - 0.01;
     if (stands != (part > 1)) ++mistaken;
   }
   return mistaken;
 }
 
-/// Light balls and ones 10,000 times as heavy in turn, on top of each other.
+/// Light balls and ones 10,000 times as heavy in turn, that fall a little onto each other.
 double heavy_sinks(const Trial& trial) {
   std::vector<Ball> balls;
-  for (int k = 0; k < 4; ++k) balls.push_back(ball(5, 0.5 + k, 0, 0, 0.5, k % 2 == 0 ? 1 : 1e4));
+  for (int k = 0; k < 4; ++k)
+    balls.push_back(ball(5, 0.5 + 1.01 * k, 0, 0, 0.5, k % 2 == 0 ? 1 : 1e4));
   const Outcome end = run(with_balls(trial.scene, balls), trial.scene.duration);
   double worst = 0;
   for (int k = 0; k < 4; ++k) {
@@ -182,6 +195,8 @@ std::vector<Case> contact_cases() {
         {Method::overlap, "rolls with drag", 1e-3, slope_drag}}},
       {"triangle",
        {{Method::overlap, "moves, in radii", 1e-6, triangle_moves},
+        {Method::overlap, "creeps after a fall, in radii", 1e-6, triangle_creeps},
+        {Method::overlap, "sinks after a fall, in radii", 0.02, triangle_sinks},
         {Method::overlap, "falls or stands against theory", 0, triangle_mistaken}}},
       {"heavy",
        {{Method::overlap, "sinks, in radii", 0.02, heavy_sinks},
