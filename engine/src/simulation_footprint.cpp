@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "contact/cell_grid.hpp"
 #include "solvers/event/make_core.hpp"
 #include "solvers/overlap_plan.hpp"
 
@@ -11,12 +12,6 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kNumber = sizeof(double);
-constexpr std::size_t kPair = 2 * sizeof(int) + kNumber;
-constexpr std::size_t kCellEntry = 3 * kNumber + 2 * sizeof(int) + 2 * sizeof(int);
-
-constexpr std::size_t kNeighbours = 110;  // a ball's square and the lists it is in
-constexpr std::size_t kQueue = 40;        // a ball's entries, some of them outdated
-
 /// Neighbours are looked for out to about one and a half contact distances.
 std::size_t listed_pairs(const Scene& scene, const std::vector<Ball>& balls) {
   double radii = 0;
@@ -29,11 +24,10 @@ std::size_t listed_pairs(const Scene& scene, const std::vector<Ball>& balls) {
 
 void describe_event(const Scene& scene, Footprint& result) {
   const std::size_t n = result.balls;
-  result.columns = {{"ball", n * sizeof(Ball)}, {"flight", n * event::flight_bytes(scene)}};
-  if (scene.effects.collisions) {
-    result.lists.emplace_back("neighbours", n * kNeighbours);
-  }
-  result.lists.emplace_back("event queue", n * kQueue);
+  const event::BallBytes bytes = event::ball_bytes(scene);
+  result.columns = {{"ball", n * sizeof(Ball)}, {"flight", n * bytes.flight}};
+  if (scene.effects.collisions) result.lists.emplace_back("neighbours", n * bytes.neighbours);
+  result.lists.emplace_back("event queue", n * bytes.queue);
   result.barriers = {"do_frame", scene.effects.walls ? "wall_computation" : "flight"};
   if (scene.effects.collisions) {
     result.barriers.insert(result.barriers.end(), {"pair_computation", "pair_resolution"});
@@ -74,11 +68,11 @@ Footprint footprint(const Scene& scene, const std::vector<Ball>& balls) {
   const OverlapPlan plan(scene.effects, n, result.workers);
   if (plan.pairs) {
     if (plan.neighbour_list) {
-      result.lists.emplace_back("pairs", listed_pairs(scene, balls) * kPair);
-      result.lists.emplace_back("cells", n * kCellEntry);
+      result.lists.emplace_back("pairs", listed_pairs(scene, balls) * PairList::kBytesOfPair);
+      result.lists.emplace_back("cells", n * CellGrid::kBytesOfBall);
       result.lists.emplace_back("anchors", 2 * n * kNumber);
     } else {
-      result.lists.emplace_back("pairs", result.pairs * kPair);
+      result.lists.emplace_back("pairs", result.pairs * PairList::kBytesOfPair);
     }
     if (plan.shared_search) result.barriers.emplace_back("neighbour_search");
     result.barriers.emplace_back("pair_computation");

@@ -16,6 +16,10 @@ namespace carom {
 /// Threads: `sort` by one thread; `neighbours` by any number afterwards.
 class CellGrid {
  public:
+  /// Of a ball, and of a cell, of which there are as many at the most.
+  static constexpr std::size_t kBytesOfBall =
+      3 * sizeof(double) + 3 * sizeof(std::uint32_t) + sizeof(std::uint8_t);
+
   /// Sorts the balls into cells at least `cell` wide.
   void sort(const Balls& balls, const Domain& domain, double cell);
 

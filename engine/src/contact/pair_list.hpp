@@ -21,6 +21,8 @@ struct Pair {
 /// Pairs worth a look, column by column.
 /// Holds: `reach` is the sum of the two radii; beyond `count` the columns are spare room.
 struct PairList {
+  static constexpr std::size_t kBytesOfPair = 2 * sizeof(std::int32_t) + sizeof(double);
+
   std::vector<std::int32_t> first;
   std::vector<std::int32_t> second;
   std::vector<double> reach;

@@ -28,6 +28,8 @@ class Agenda {
     Time time;
     Index ball;
   };
+  /// Of a ball: its entry and those of before that are still in it, some one and a half.
+  static constexpr std::size_t kBytesOfBall = 5 * sizeof(Entry) / 2;
 
   /// Empties it; `width` is the ticks of one bucket, about as long as a few entries take.
   void reset(At now, Time width, std::size_t buckets);
@@ -75,7 +77,6 @@ class Agenda {
     }
   }
 
-  [[nodiscard]] std::size_t bytes() const;
   [[nodiscard]] std::size_t size() const;
 
  private:

@@ -41,13 +41,6 @@ void Agenda<Clock>::rebase(At by) {
 }
 
 template <class Clock>
-std::size_t Agenda<Clock>::bytes() const {
-  std::size_t entries = ordered_.capacity() + late_.capacity() + far_.capacity();
-  for (const auto& bucket : buckets_) entries += bucket.capacity();
-  return entries * sizeof(Entry) + buckets_.capacity() * sizeof(std::vector<Entry>);
-}
-
-template <class Clock>
 std::size_t Agenda<Clock>::size() const {
   std::size_t entries = ordered_.size() - next_ + late_.size() + far_.size();
   for (const auto& bucket : buckets_) entries += bucket.size();

@@ -63,11 +63,13 @@ std::unique_ptr<Core> make_core(CoreStart start, int digits) {
   return std::make_unique<TileCore<Ballistic>>(std::move(start));
 }
 
-std::size_t flight_bytes(const Scene& scene) {
-  const bool wide = scene.solver.digits > kDigitsOfDouble;
-  const std::size_t spin = wide ? sizeof(WideNumber) : sizeof(double);
-  return (wide ? sizeof(WidePhysics::Disk) : sizeof(Ballistic::Disk)) +
-         (scene.effects.friction ? spin : 0);
+BallBytes ball_bytes(const Scene& scene) {
+  const auto bytes_of = [&]<class P>(P) {
+    const std::size_t spin = scene.effects.friction ? sizeof(typename P::Scalar) : 0;
+    return BallBytes{sizeof(typename P::Disk) + spin, Neighbours<P>::kBytesOfBall,
+                     Agenda<typename P::Clock>::kBytesOfBall};
+  };
+  return scene.solver.digits > kDigitsOfDouble ? bytes_of(WidePhysics{}) : bytes_of(Ballistic{});
 }
 
 }  // namespace carom::event

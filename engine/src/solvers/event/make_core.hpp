@@ -16,7 +16,12 @@ std::unique_ptr<Core> make_core(CoreStart start, int digits);
 /// while it runs.
 bool may_rest(const Scene& scene, const std::vector<Ball>& balls);
 
-/// Memory of one ball's flight, with its spin where the scene has friction.
-std::size_t flight_bytes(const Scene& scene);
+/// Memory that one ball takes.
+struct BallBytes {
+  std::size_t flight = 0;      ///< with its spin where the scene has friction
+  std::size_t neighbours = 0;  ///< estimated, as the next one
+  std::size_t queue = 0;
+};
+BallBytes ball_bytes(const Scene& scene);
 
 }  // namespace carom::event

@@ -26,6 +26,9 @@ class Neighbours {
  public:
   using Disks = HugeVector<typename P::Disk>;
   using Lists = ShortLists<14>;
+  /// Its square, its cell, its list where that is not longer than most, and an entry of its cell's.
+  static constexpr std::size_t kBytesOfBall = 2 * sizeof(double) + sizeof(std::uint32_t) +
+                                              sizeof(Lists::Node) + sizeof(ShortLists<6>::Node);
 
   explicit Neighbours(const Motion<P>& motion)
       : motion_(motion),
@@ -54,7 +57,6 @@ class Neighbours {
   [[nodiscard]] const Lists& lists() const { return lists_; }
   /// Half the side of a square.
   [[nodiscard]] double skin() const { return skin_; }
-  [[nodiscard]] std::size_t bytes() const;
 
   /// Brings what belongs to a ball, or to the search around it, near to the processor.
   void fetch(Index i) const {

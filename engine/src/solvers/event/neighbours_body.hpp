@@ -265,10 +265,4 @@ void Neighbours<P>::fetch_search(Index i) const {
   });
 }
 
-template <class P>
-std::size_t Neighbours<P>::bytes() const {
-  return centres_.capacity() * sizeof(Centre) +
-         (cell_.capacity() + found_.capacity()) * sizeof(Index) + lists_.bytes() + cells_.bytes();
-}
-
 }  // namespace carom::event

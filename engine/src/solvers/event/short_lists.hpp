@@ -112,10 +112,6 @@ class ShortLists {
     nodes_[list].next = 0;
   }
 
-  [[nodiscard]] std::size_t bytes() const {
-    return nodes_.capacity() * sizeof(Node) + free_.capacity() * sizeof(std::uint32_t);
-  }
-
  private:
   /// Where the node has the item, K: nowhere.  Without a branch: it cannot be foreseen.
   static std::uint32_t find(const Node& node, std::uint32_t item) {

@@ -112,7 +112,6 @@ class Tile {
   /// How often each flight since `reset` was brought back round a periodic axis that gravity pulls
   /// along; empty for other axes.
   [[nodiscard]] const Turns& turns() const { return turns_; }
-  [[nodiscard]] std::size_t bytes() const;
   /// The energy that impacts since it was made have taken, and drag from flights that are over.
   /// Terms of which it is the exact sum.
   [[nodiscard]] const std::vector<double>& losses() const { return book_.parts(); }

@@ -192,10 +192,4 @@ void Tile<P>::rebase(At by) {
   agenda_.rebase(by);
 }
 
-template <class P>
-std::size_t Tile<P>::bytes() const {
-  return disks_.capacity() * sizeof(Disk) + neighbours_.bytes() + agenda_.bytes() +
-         left_.capacity() * sizeof(Index);
-}
-
 }  // namespace carom::event
