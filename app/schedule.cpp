@@ -84,10 +84,8 @@ bool Schedule::next_frames(std::uint64_t most) {
   if (over()) return false;
   std::uint64_t last = frame_ + std::max<std::uint64_t>(1, std::min(most, kFarthest));
   if (end_frame_) last = std::min(last, *end_frame_);
-  const auto& script = session_.scene().script;
-  const bool lines_left = next_line_ < script.size();
   // After a line, what it does to the end is asked at the next frame.
-  if (lines_left) last = std::min(last, frame_before(script[next_line_].at) + 1);
+  if (const auto line = session_.next_line()) last = std::min(last, frame_before(*line) + 1);
   if (end_time_ && !session_.paused()) {
     const double left = std::max(0.0, *end_time_ - session_.simulation().time());
     const std::uint64_t end = frame_before(session_.clock() + left);
@@ -122,9 +120,8 @@ std::uint64_t Schedule::frame_before(double clock) const {
 
 /// Along the lines of the script, so that nothing but quit happens before the end of a stretch.
 bool Schedule::move_clock_to(double clock) {
-  const auto& script = session_.scene().script;
-  for (; next_line_ < script.size() && script[next_line_].at <= clock; ++next_line_) {
-    if (!move_until(std::max(script[next_line_].at, session_.clock()))) return false;
+  for (auto line = session_.next_line(); line && *line <= clock; line = session_.next_line()) {
+    if (!move_until(*line)) return false;
   }
   return move_until(clock);
 }

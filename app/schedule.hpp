@@ -53,7 +53,6 @@ class Schedule {
   double start_time_;
   std::optional<double> end_time_;          // simulated; else
   std::optional<std::uint64_t> end_frame_;  // the last one
-  std::size_t next_line_ = 0;               // of the script
   End end_ = End::none;
 };
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "carom/effects.hpp"
+#include "carom/shorter_way.hpp"
 
 namespace carom {
 namespace {
@@ -27,11 +27,7 @@ bool is_free(const Session& session, const std::vector<Ball>& balls, std::size_t
   if (!effects.collisions || !effects.collisions->on) return true;
   for (std::size_t i = 0; i < balls.size(); ++i) {
     if (i == ball || (balls[i].fixed && own.fixed)) continue;
-    Vec2 apart = balls[i].position - own.position;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const double period = box.size()[axis];
-      if (box.periodic[axis]) apart[axis] -= period * std::rint(apart[axis] / period);
-    }
+    const Vec2 apart = shorter_way(balls[i].position - own.position, box);
     const double reach = balls[i].radius + own.radius;
     if (apart.squaredNorm() < reach * reach) return false;
   }

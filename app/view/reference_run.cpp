@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "carom/scene_file.hpp"
+#include "carom/shorter_way.hpp"
 
 namespace carom {
 namespace {
@@ -72,11 +72,7 @@ void ReferenceRun::follow(const Simulation& run) {
   const std::vector<Ball> there = simulation_.state();
   distance_ = 0;
   for (std::size_t i = 0; i < here.size(); ++i) {
-    Vec2 way = here[i].position - there[i].position;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      if (box_.periodic[static_cast<std::size_t>(axis)])
-        way[axis] = std::remainder(way[axis], box_.size()[axis]);
-    }
+    const Vec2 way = shorter_way(here[i].position - there[i].position, box_);
     distance_ = std::max(distance_, way.norm());
   }
   span_ = moment_of(run) - begun_;

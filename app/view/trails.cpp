@@ -1,8 +1,8 @@
 #include "view/trails.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "carom/shorter_way.hpp"
 #include "view/ball_images.hpp"
 #include "view/camera.hpp"
 #include "view/dots.hpp"
@@ -51,10 +51,7 @@ void Trails::paint(const Frame& frame, Canvas& canvas, const Drawing& drawing) c
       // The short way through a periodic side ends at one side and begins at the other.
       const Vec2 from = positions_[k - 1][i];
       const Vec2 to = positions_[k][i];
-      Vec2 way = to - from;
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        if (frame.box.periodic[axis]) way[axis] = std::remainder(way[axis], frame.box.size()[axis]);
-      }
+      const Vec2 way = shorter_way(to - from, frame.box);
       const auto draw = [&](const Vec2& begin, const Vec2& end) {
         dots.line({camera.x(begin.x()), camera.y(begin.y())},
                   {camera.x(end.x()), camera.y(end.y())}, heat);

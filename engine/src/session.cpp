@@ -42,7 +42,7 @@ Session::Session(Scene scene)
 }
 
 void Session::advance_clock_to(double clock) {
-  while (!quit_ && next_line_ < scene_.script.size() && scene_.script[next_line_].at <= clock) {
+  while (!quit_ && next_line() && *next_line() <= clock) {
     const ScriptLine& line = scene_.script[next_line_++];
     move_clock_to(std::max(clock_, line.at));
     apply(line.command);
@@ -102,8 +102,13 @@ std::optional<Session::Switch> Session::switch_of(std::string_view effect) const
   return result;
 }
 
+std::optional<double> Session::next_line() const {
+  if (next_line_ == scene_.script.size()) return std::nullopt;
+  return scene_.script[next_line_].at;
+}
+
 bool Session::stuck() const {
-  return paused_ && next_line_ == scene_.script.size();
+  return paused_ && !next_line();
 }
 
 Scene Session::save() const {

@@ -10,6 +10,7 @@
 
 #include "carom/crew.hpp"
 #include "carom/scene_file.hpp"
+#include "carom/shorter_way.hpp"
 #include "impact_record.hpp"
 #include "scene/available.hpp"
 #include "solvers/make_solver.hpp"
@@ -240,11 +241,7 @@ class Simulation::Implementation {
     const std::vector<Ball> balls = solver_->state();
     for (std::size_t i = 0; i < balls.size(); ++i) {
       if (ball.fixed && balls[i].fixed) continue;
-      Vec2 r = balls[i].position - ball.position;
-      for (std::size_t k = 0; k < 2; ++k) {
-        const double period = domain.period[static_cast<std::size_t>(k)];
-        if (period > 0) r[k] -= period * std::rint(r[k] / period);
-      }
+      const Vec2 r = shorter_way(balls[i].position - ball.position, scene_.box);
       const double reach = balls[i].radius + ball.radius;
       if (r.squaredNorm() < reach * reach) {
         throw CommandError(fmt::format("a ball at ({}, {}) would overlap ball {}",

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/pair_impact.hpp"
+#include "solvers/event/pair_lanes.hpp"
 #include "support/peg_truth.hpp"
 #include "trajectory/pair_time.hpp"
 #include "trajectory/wall_time.hpp"
@@ -20,6 +21,10 @@ using namespace carom;
 using event::Vec;
 
 constexpr int kCalls = 1 << 14;
+
+struct Pairs {
+  event::Lanes rx, ry, vx, vy, s;
+};
 
 /// The best of a few rounds.
 template <class Work>
@@ -67,10 +72,10 @@ int main(int argc, char** argv) {
     return hold_pegs(static_cast<int>(std::strtol(argv[2], nullptr, 10)));
 
   test::RandomNumbers random(1);
-  std::vector<event::PairLanes<8>> lanes(kCalls / 8);
+  std::vector<Pairs> lanes(kCalls / event::kLanes);
   std::vector<test::PegCase> pegs;
   for (auto& block : lanes) {
-    for (int k = 0; k < 8; ++k) {
+    for (std::uint32_t k = 0; k < event::kLanes; ++k) {
       const double angle = random.angle();
       const double distance = random.between(1, 2);
       block.rx[k] = distance * std::cos(angle);
@@ -85,8 +90,8 @@ int main(int argc, char** argv) {
   const auto each = [&](const auto& function) {
     return nanoseconds_a_call([&] {
       for (std::size_t n = 0; n < kCalls; ++n) {
-        const auto& block = lanes[n / 8];
-        const std::size_t k = n % 8;
+        const auto& block = lanes[n / event::kLanes];
+        const std::size_t k = n % event::kLanes;
         out[n] = function(Vec<double>{block.rx[k], block.ry[k]},
                           Vec<double>{block.vx[k], block.vy[k]}, block.s[k]);
       }
@@ -94,9 +99,13 @@ int main(int argc, char** argv) {
   };
   fmt::print("pair, textbook form      {:8.1f} ns\n", each(textbook_time));
   fmt::print("pair                     {:8.1f} ns\n", each(event::pair_time<double>));
-  fmt::print("pair, eight at a time    {:8.1f} ns\n", nanoseconds_a_call([&] {
+  fmt::print("pair, four at a time     {:8.1f} ns\n", nanoseconds_a_call([&] {
                for (std::size_t n = 0; n < lanes.size(); ++n) {
-                 event::pair_times(lanes[n], &out[8 * n]);
+                 const Pairs& four = lanes[n];
+                 const event::Lanes times =
+                     event::pair_times(four.rx, four.ry, four.vx, four.vy, four.s);
+                 for (std::uint32_t k = 0; k < event::kLanes; ++k)
+                   out[event::kLanes * n + k] = times[k];
                }
              }));
   fmt::print("pair impact              {:8.1f} ns\n",

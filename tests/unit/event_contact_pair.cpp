@@ -169,28 +169,6 @@ TEST(EventPairTime, WorksAtTheEndsOfItsStatedRange) {
   }
 }
 
-TEST(EventPairTime, OfABatchIsTheSameToTheLastBit) {
-  RandomNumbers random(6);
-  for (int n = 0; n < 500; ++n) {
-    PairLanes<8> pairs{};
-    double times[8];
-    for (int k = 0; k < 8; ++k) {
-      const V r = polar(random.between(0.9, 3), random.angle());
-      const V v = k == 5 ? V{0, 0} : polar(1, random.angle());
-      pairs.rx[k] = r.x;
-      pairs.ry[k] = r.y;
-      pairs.vx[k] = v.x;
-      pairs.vy[k] = v.y;
-      pairs.s[k] = k == 3 ? std::abs(r.x) : 1;
-    }
-    pair_times(pairs, times);
-    for (int k = 0; k < 8; ++k) {
-      EXPECT_EQ(times[k], pair_time<double>({pairs.rx[k], pairs.ry[k]}, {pairs.vx[k], pairs.vy[k]},
-                                            pairs.s[k]));
-    }
-  }
-}
-
 TEST(EventPairImpact, OfEqualBallsHeadOnExchangesThemExactly) {
   RandomNumbers random(7);
   for (int k = 0; k < 1000; ++k) {

@@ -32,6 +32,8 @@ class Session {
 
   [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] bool quit() const { return quit_; }
+  /// When the next line of the script is due, on the frame clock; none is left: none.
+  [[nodiscard]] std::optional<double> next_line() const;
   /// Paused, and no line of the script is left that could change it.
   [[nodiscard]] bool stuck() const;
   [[nodiscard]] double clock() const { return clock_; }

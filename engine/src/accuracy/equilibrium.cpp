@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "accuracy/nonnegative_least_squares.hpp"
-#include "accuracy/places.hpp"
+#include "carom/shorter_way.hpp"
 
 namespace carom::accuracy {
 namespace {

@@ -7,14 +7,6 @@
 
 namespace carom::accuracy {
 
-Vec2 shorter_way(const Vec2& difference, const Box& box) {
-  double x = difference.x();
-  double y = difference.y();
-  if (box.periodic[0]) x -= box.width * std::rint(x / box.width);
-  if (box.periodic[1]) y -= box.height * std::rint(y / box.height);
-  return {x, y};
-}
-
 double largest_distance(const Places& one, const Places& other, const Box& box) {
   double largest = 0;
   for (std::size_t ball = 0; ball < one.size(); ++ball) {

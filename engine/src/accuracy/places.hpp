@@ -10,9 +10,6 @@ namespace carom::accuracy {
 /// Where the balls are at one instant, to the last digit they are computed in.
 using Places = std::vector<ExactPosition>;
 
-/// From one position to another, the shorter way round periodic axes.
-Vec2 shorter_way(const Vec2& difference, const Box& box);
-
 /// The largest distance of a ball between the two, the shorter way round periodic axes; infinite
 /// where a place is no number.
 /// REQUIRES: as many balls.

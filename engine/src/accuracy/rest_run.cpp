@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "accuracy/equilibrium.hpp"
-#include "accuracy/places.hpp"
+#include "carom/shorter_way.hpp"
 
 namespace carom::accuracy {
 namespace {

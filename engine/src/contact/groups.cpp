@@ -5,35 +5,22 @@
 
 namespace carom {
 
-// Path halving keeps the trees flat; the root is always the lowest ball of its tree.
-std::uint32_t Groups::root(std::uint32_t ball) {
-  while (parent_[ball] != ball) {
-    parent_[ball] = parent_[parent_[ball]];
-    ball = parent_[ball];
-  }
-  return ball;
-}
-
 void Groups::sort(std::span<const Pair> pairs, std::size_t balls) {
   constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
-  parent_.resize(balls);
+  sets_.make_room(balls);
   group_of_.resize(balls);
   for (const Pair& pair : pairs) {
     for (const std::uint32_t ball : {pair.first, pair.second}) {
-      parent_[ball] = ball;
+      sets_.isolate(ball);
       group_of_[ball] = kNone;
     }
   }
-  for (const Pair& pair : pairs) {
-    const std::uint32_t a = root(pair.first);
-    const std::uint32_t b = root(pair.second);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
+  for (const Pair& pair : pairs) sets_.merge(pair.first, pair.second);
 
   group_.resize(pairs.size());
   starts_.assign(1, 0);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    std::uint32_t& group = group_of_[root(pairs[k].first)];
+    std::uint32_t& group = group_of_[sets_.find(pairs[k].first)];
     if (group == kNone) {
       group = static_cast<std::uint32_t>(starts_.size() - 1);
       starts_.push_back(0);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/disjoint_sets.hpp"
 #include "contact/pair_list.hpp"
 
 namespace carom {
@@ -25,9 +26,7 @@ class Groups {
   }
 
  private:
-  std::uint32_t root(std::uint32_t ball);
-
-  std::vector<std::uint32_t> parent_;  // by ball; only the entries of touching balls mean anything
+  DisjointSets sets_;                    // of the touching balls
   std::vector<std::uint32_t> group_of_;  // by root ball
   std::vector<std::uint32_t> group_;     // by pair
   std::vector<std::size_t> starts_;

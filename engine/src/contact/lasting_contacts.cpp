@@ -54,7 +54,7 @@ void LastingContacts::wake_all(const Balls& balls) {
   asleep_.assign(balls.size(), 0);
   slept_.assign(balls.size(), 0);
   driven_.assign(balls.size(), 0);
-  parent_.resize(balls.size());
+  sets_.make_room(balls.size());
   island_of_.assign(balls.size(), -1);
   member_of_.assign(balls.size(), -1);
   islands_.clear();
@@ -102,11 +102,6 @@ void LastingContacts::end(Balls& balls, std::size_t begin, std::size_t end,
       }
     }
   }
-}
-
-std::uint32_t LastingContacts::root(std::uint32_t ball) {
-  while (parent_[ball] != ball) ball = parent_[ball] = parent_[parent_[ball]];
-  return ball;
 }
 
 bool LastingContacts::closer(const Balls& balls, const Pair& pair, double gap) const {
@@ -191,23 +186,21 @@ void LastingContacts::assemble(const Balls& balls, std::span<const Pair> near, d
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   for (const std::uint32_t i : touched) {
-    parent_[i] = i;
+    sets_.isolate(i);
     island_of_[i] = -1;
   }
   for (const Pair& pair : links) {
-    const std::uint32_t a = root(pair.first);
-    const std::uint32_t b = root(pair.second);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+    sets_.merge(pair.first, pair.second);
   }
   const std::size_t first_island = islands_.size();
   for (const std::uint32_t i : seeds_) {
-    int& island = island_of_[root(i)];
+    int& island = island_of_[sets_.find(i)];
     if (!open(i) || island >= 0) continue;
     island = static_cast<int>(islands_.size());
     islands_.emplace_back();
   }
   for (const std::uint32_t i : touched) {
-    const int island = island_of_[root(i)];
+    const int island = island_of_[sets_.find(i)];
     if (island >= 0) add_member(islands_[static_cast<std::size_t>(island)], balls, i);
   }
   number_members(first_island);
@@ -459,22 +452,20 @@ void LastingContacts::find_asleep(const Balls& balls, std::span<const Pair> near
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const bool turns = balls.spin.size() > 0 && balls.spin[i] != 0;
     still[i] = !balls.fixed(i) && velocity(balls, i) == Vec2{0, 0} && !turns ? 1 : 0;
-    parent_[i] = static_cast<std::uint32_t>(i);
+    sets_.isolate(static_cast<std::uint32_t>(i));
   }
   for (const Pair& pair : near) {
     if (still[pair.first] == 0 || still[pair.second] == 0) continue;
-    const std::uint32_t a = root(pair.first);
-    const std::uint32_t b = root(pair.second);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+    sets_.merge(pair.first, pair.second);
   }
   islands_.clear();
   for (std::uint32_t i = 0; i < balls.size(); ++i) {
     if (still[i] == 0) continue;
-    if (root(i) == i) {
+    if (sets_.find(i) == i) {
       island_of_[i] = static_cast<int>(islands_.size());
       islands_.emplace_back();
     }
-    add_member(islands_[static_cast<std::size_t>(island_of_[root(i)])], balls, i);
+    add_member(islands_[static_cast<std::size_t>(island_of_[sets_.find(i)])], balls, i);
   }
   number_members(0);
   for (const Pair& pair : near) {
@@ -484,7 +475,7 @@ void LastingContacts::find_asleep(const Balls& balls, std::span<const Pair> near
     if ((!first && !balls.fixed(pair.first)) || (!second && !balls.fixed(pair.second))) continue;
     if (!first && !second) continue;
     const auto number =
-        static_cast<std::size_t>(island_of_[root(first ? pair.first : pair.second)]);
+        static_cast<std::size_t>(island_of_[sets_.find(first ? pair.first : pair.second)]);
     add_pair(islands_[number], balls, first ? place_[pair.first] : -1,
              second ? place_[pair.second] : -1, pair);
   }

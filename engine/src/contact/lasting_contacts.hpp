@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/disjoint_sets.hpp"
 #include "contact/impact_log.hpp"
 #include "contact/lasting_island.hpp"
 #include "contact/pair_list.hpp"
@@ -99,7 +100,6 @@ class LastingContacts {
   using Island = LastingIsland;
   using Member = LastingIsland::Member;
 
-  [[nodiscard]] std::uint32_t root(std::uint32_t ball);
   void wake_struck(Balls& balls, std::span<const Pair> near);
   void wake(Balls& balls, std::uint32_t ball);
   [[nodiscard]] bool overlap(const Balls& balls, const Pair& pair) const {
@@ -130,7 +130,7 @@ class LastingContacts {
   std::size_t awake_ = 0;
   std::size_t sleepers_ = 0;
   std::size_t woken_ = 0;  // in this step
-  std::vector<std::uint32_t> parent_;
+  DisjointSets sets_;
   std::vector<int> island_of_;  // by root ball
   std::vector<int> member_of_;  // by ball: its island; less than 0: none
   std::vector<int> place_;      // by ball: its number there

@@ -3,21 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "carom/shorter_way.hpp"
+
 namespace carom::scene {
 
 namespace {
-
-/// The way from a to b by the shorter side of each periodic axis.
-Vec2 shortest(const Box& box, const Vec2& a, const Vec2& b) {
-  Vec2 r = b - a;
-  const Vec2 size = box.size();
-  for (int axis = 0; axis < 2; ++axis) {
-    if (box.periodic[static_cast<std::size_t>(axis)]) {
-      r[axis] -= size[axis] * std::round(r[axis] / size[axis]);
-    }
-  }
-  return r;
-}
 
 std::int64_t to_cell(double index) {
   constexpr double kFar = 0x1p60;
@@ -38,7 +28,7 @@ std::int64_t wrapped(std::int64_t index, std::int64_t count) {
 
 double overlap_depth(const Box& box, const Vec2& a, double radius_a, const Vec2& b,
                      double radius_b) {
-  const Vec2 r = shortest(box, a, b);
+  const Vec2 r = shorter_way(b - a, box);
   const double s = radius_a + radius_b;
   if (std::abs(r.x()) >= s || std::abs(r.y()) >= s) return 0;
   const double c = std::fma(r.x(), r.x(), std::fma(r.y(), r.y(), -s * s));

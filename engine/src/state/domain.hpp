@@ -53,11 +53,17 @@ struct Domain {
   }
 };
 
-/// The difference of two wrapped coordinates on a periodic axis, the shorter way round.
+/// The difference of two wrapped coordinates, the shorter way round an axis of length `period`, of
+/// numbers of any kind or of several side by side; both are infinite on an axis that is not
+/// periodic.
+template <class Real>
+inline Real nearest(Real difference, Real period, Real half) {
+  return difference > half ? difference - period
+                           : (difference < -half ? difference + period : difference);
+}
+/// The same on a periodic axis.
 inline double nearest_image(double difference, double period) {
-  const double half = period / 2;
-  if (difference > half) return difference - period;
-  return difference < -half ? difference + period : difference;
+  return nearest(difference, period, period / 2);
 }
 
 /// From one wrapped place to another, the shorter way round every periodic axis.

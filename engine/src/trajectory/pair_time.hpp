@@ -52,32 +52,4 @@ S pair_time(const Vec<S>& r, const Vec<S>& v, const S& s) {
   return c / (root(discriminant) - b);
 }
 
-/// The same bits for N pairs at once, without a branch, for the compiler to put into vector
-/// registers. A slot that is not wanted may hold anything finite: v = 0 gives never.
-template <int N>
-struct PairLanes {
-  alignas(64) double rx[N];
-  alignas(64) double ry[N];
-  alignas(64) double vx[N];
-  alignas(64) double vy[N];
-  alignas(64) double s[N];
-};
-
-template <int N>
-inline void pair_times(const PairLanes<N>& pairs, double* __restrict times) {
-  for (int k = 0; k < N; ++k) {
-    const Vec<double> r{pairs.rx[k], pairs.ry[k]};
-    const Vec<double> v{pairs.vx[k], pairs.vy[k]};
-    const double s = pairs.s[k];
-    const double b = sharp_dot(r, v);
-    const double c = squared_gap(r, s);
-    const double discriminant = pair_discriminant(r, v, s);
-    const double speed = std::sqrt(discriminant > 0 ? discriminant : 0.0);
-    const double time = c / (speed - b);
-    const double ahead = discriminant > 0 ? time : never<double>();
-    const double approaching = c > 0 ? ahead : 0.0;
-    times[k] = b < 0 ? approaching : never<double>();
-  }
-}
-
 }  // namespace carom::event

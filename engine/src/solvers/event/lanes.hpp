@@ -100,12 +100,4 @@ template <class All, class Pair>
           __builtin_shufflevector(even, odd, 1, 5, 3, 7)};
 }
 
-/// The difference of two coordinates, the shorter way round an axis of length `period`; both are
-/// infinite on an axis that is not periodic.
-template <class Real>
-inline Real nearest(Real difference, Real period, Real half) {
-  return difference > half ? difference - period
-                           : (difference < -half ? difference + period : difference);
-}
-
 }  // namespace carom::event

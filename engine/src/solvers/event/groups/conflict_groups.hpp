@@ -8,10 +8,10 @@
 
 #include "carom/crew.hpp"
 #include "carom/impact.hpp"
+#include "contact/disjoint_sets.hpp"
 #include "contact/impact_log.hpp"
 #include "contact/rest_rules.hpp"
 #include "numbers/exact_sum.hpp"
-#include "solvers/event/groups/disjoint_sets.hpp"
 #include "solvers/event/groups/path.hpp"
 #include "solvers/event/groups/region_pairs.hpp"
 #include "solvers/event/tile.hpp"

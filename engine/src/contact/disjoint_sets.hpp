@@ -6,18 +6,25 @@
 #include <utility>
 #include <vector>
 
-namespace carom::event {
+namespace carom {
 
 /// Numbers in sets that only ever merge.  Which number stands for a set does not depend on the
 /// order of the merges: it is the lowest.
 class DisjointSets {
  public:
-  /// Each number in a set of its own.
+  /// Each number below n in a set of its own.
   void reset(std::size_t n) {
     parent_.resize(n);
     std::iota(parent_.begin(), parent_.end(), 0U);
     next_ = parent_;
   }
+  /// Takes numbers below n.
+  /// REQUIRES: of those that are asked for, each is put in a set of its own first.
+  void make_room(std::size_t n) {
+    parent_.resize(n);
+    next_.resize(n);
+  }
+  void isolate(std::uint32_t i) { parent_[i] = next_[i] = i; }
   [[nodiscard]] std::uint32_t find(std::uint32_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
@@ -54,4 +61,4 @@ class DisjointSets {
   std::vector<std::uint32_t> next_;  // the members of a set in a ring
 };
 
-}  // namespace carom::event
+}  // namespace carom
