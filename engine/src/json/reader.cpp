@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
+#include "json/scalar.hpp"
 #include "json/text.hpp"
 
 namespace carom::json {
@@ -20,9 +19,6 @@ constexpr std::size_t kDeepest = 64;  // containers within containers
 bool is_space(char c) {
   return c == ' ' || c == '\n' || c == '\r' || c == '\t';
 }
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 bool part_of_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '-' || c == '.';
 }
@@ -33,25 +29,6 @@ bool means_not_finite(std::string_view word) {
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return lower == "nan" || lower == "inf" || lower == "infinity";
-}
-
-void append_utf8(std::string& text, unsigned code) {
-  const auto byte = [&text](unsigned value) { text += static_cast<char>(value); };
-  if (code < 0x80) {
-    byte(code);
-  } else if (code < 0x800) {
-    byte(0xC0U | code >> 6);
-    byte(0x80U | (code & 0x3FU));
-  } else if (code < 0x10000) {
-    byte(0xE0U | code >> 12);
-    byte(0x80U | (code >> 6 & 0x3FU));
-    byte(0x80U | (code & 0x3FU));
-  } else {
-    byte(0xF0U | code >> 18);
-    byte(0x80U | (code >> 12 & 0x3FU));
-    byte(0x80U | (code >> 6 & 0x3FU));
-    byte(0x80U | (code & 0x3FU));
-  }
 }
 
 }  // namespace
@@ -106,66 +83,14 @@ Kind Reader::peek() {
 void Reader::expect_word(std::string_view word) {
   for (std::size_t i = 0; i < word.size(); ++i) {
     if (at_ + i < text_.size() && text_[at_ + i] == word[i]) continue;
-    fail(at_ + i, fmt::format("expected {}, got {}", word, in_quotes(word_at(at_))));
+    malformed(at_ + i, fmt::format("expected {}, got {}", word, in_quotes(word_at(at_))));
   }
-}
-
-// The grammar of RFC 8259; from_chars alone would take "01", "1." and "inf".
-Number Reader::scan_number() {
-  const char* const begin = text_.data() + at_;
-  const char* const end = text_.data() + text_.size();
-  const char* p = begin;
-  Number number;
-  number.is_negative = *p == '-';
-  if (number.is_negative) ++p;
-  const auto digits = [&](const char* after) {
-    if (p != end && is_digit(*p)) {
-      while (p != end && is_digit(*p)) ++p;
-      return;
-    }
-    fail(static_cast<std::size_t>(p - text_.data()),
-         fmt::format("expected a digit after {}", after));
-  };
-  if (p != end && *p == '0') {
-    ++p;
-  } else {
-    digits("'-'");
-  }
-  number.is_whole = true;
-  if (p != end && *p == '.') {
-    number.is_whole = false;
-    ++p;
-    digits("'.'");
-  }
-  if (p != end && (*p == 'e' || *p == 'E')) {
-    number.is_whole = false;
-    ++p;
-    if (p != end && (*p == '+' || *p == '-')) ++p;
-    digits("the 'e' of an exponent");
-  }
-  at_ += static_cast<std::size_t>(p - begin);
-  if (number.is_whole) {
-    const char* const first = begin + (number.is_negative ? 1 : 0);
-    number.is_whole = std::from_chars(first, p, number.magnitude).ec == std::errc() &&
-                      (!number.is_negative || number.magnitude <= std::uint64_t{1} << 63);
-  }
-  if (number.is_whole) {
-    number.value = static_cast<double>(number.magnitude);
-    if (number.magnitude == 0) number.is_negative = false;  // a whole -0 is 0
-    if (number.is_negative) number.value = -number.value;
-    return number;
-  }
-  if (std::from_chars(begin, p, number.value).ec == std::errc()) return number;
-  // Out of range: from_chars does not say on which side.
-  const std::string text(begin, p);
-  number.value = std::strtod(text.c_str(), nullptr);
-  return number;
 }
 
 Number Reader::number() {
   skip_space();
   const std::size_t begin = at_;
-  Number number = scan_number();
+  Number number = scan_number(text_, at_);
   if (!std::isfinite(number.value)) {
     complain_of_number(begin, text_.substr(begin, at_ - begin),
                        " within the range of double precision");
@@ -204,58 +129,12 @@ std::size_t Reader::scan_text(bool& escaped) {
       escaped = true;
       ++i;
     } else if (static_cast<unsigned char>(c) < 0x20) {
-      fail(i, fmt::format("a control character in a text must be escaped, as \\u{:04x}",
-                          static_cast<unsigned char>(c)));
+      malformed(i, fmt::format("a control character in a text must be escaped, as \\u{:04x}",
+                               static_cast<unsigned char>(c)));
     }
   }
   throw Malformed{text_.size(), "",
                   "is not complete JSON: the file ends inside a text, it may be cut short"};
-}
-
-std::string Reader::decoded(std::string_view written, std::size_t offset) const {
-  std::string text;
-  std::size_t i = 0;
-  const auto unit = [&] {
-    unsigned code = 0;
-    for (int k = 0; k < 4; ++k, ++i) {
-      const char c = i < written.size() ? written[i] : '\0';
-      if (std::isxdigit(static_cast<unsigned char>(c)) == 0) {
-        fail(offset + i, "expected four hexadecimal digits after \\u");
-      }
-      const char lower = static_cast<char>(c | 0x20);
-      code = code * 16 + static_cast<unsigned>(is_digit(c) ? c - '0' : lower - 'a' + 10);
-    }
-    return code;
-  };
-  while (i < written.size()) {
-    if (written[i] != '\\') {
-      text += written[i++];
-      continue;
-    }
-    const std::size_t begin = i++;
-    constexpr std::string_view kEscapes = "\"\\/bfnrt";
-    constexpr std::string_view kMeanings = "\"\\/\b\f\n\r\t";
-    const std::size_t which = kEscapes.find(written[i]);
-    if (which != std::string_view::npos) {
-      text += kMeanings[which];
-      ++i;
-      continue;
-    }
-    if (written[i] != 'u') fail(offset + i, "expected one of \" \\ / b f n r t u after \\");
-    ++i;
-    unsigned code = unit();
-    if (code >= 0xD800 && code < 0xE000) {
-      const bool pair = code < 0xDC00 && written.substr(i).starts_with("\\u");
-      i += pair ? 2 : 0;
-      const unsigned low = pair ? unit() : 0;
-      if (low < 0xDC00 || low >= 0xE000) {
-        fail(offset + begin, "half of a surrogate pair stands alone");
-      }
-      code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
-    }
-    append_utf8(text, code);
-  }
-  return text;
 }
 
 // Whether it is written with escapes; only then `meant` is set.
@@ -265,7 +144,7 @@ bool Reader::take_text(std::string_view& written, std::string& meant) {
   const std::size_t begin = at_ + 1;
   const std::size_t end = scan_text(escaped);
   written = text_.substr(begin, end - 1 - begin);
-  if (escaped) meant = decoded(written, begin);
+  if (escaped) meant = unescaped(written, begin);
   at_ = end;
   return escaped;
 }
@@ -424,10 +303,6 @@ void Reader::complain_of_second(std::size_t offset) {
   complaints_.push_back({offset, pointer(), "is given more than once, keep one of them"});
 }
 
-void Reader::fail(std::size_t offset, std::string message) const {
-  throw Malformed{offset, "", "is not JSON: " + std::move(message)};
-}
-
 // The place of a message is where what was found ends.
 void Reader::unexpected(std::string_view expected) {
   if (ended() && !path_.empty()) {
@@ -441,26 +316,26 @@ void Reader::unexpected(std::string_view expected) {
   if (next() == '"') {
     bool escaped = false;
     const std::size_t end = scan_text(escaped);
-    fail(end - 1, fmt::format("expected {}, got the text {}", expected,
-                              in_quotes(text_.substr(begin + 1, end - begin - 2))));
+    malformed(end - 1, fmt::format("expected {}, got the text {}", expected,
+                                   in_quotes(text_.substr(begin + 1, end - begin - 2))));
   }
   for (const std::string_view known : {"true", "false", "null"}) {
     if (next() != known[0]) continue;
     expect_word(known);
-    fail(begin + known.size() - 1, fmt::format("expected {}, got {}", expected, known));
+    malformed(begin + known.size() - 1, fmt::format("expected {}, got {}", expected, known));
   }
   const std::string_view word = word_at(begin);
   if (!ended() && (is_digit(next()) || next() == '-')) {
-    (void)scan_number();
-    fail(at_ - 1,
-         fmt::format("expected {}, got the number {}", expected, text_.substr(begin, at_ - begin)));
+    (void)scan_number(text_, at_);
+    malformed(at_ - 1, fmt::format("expected {}, got the number {}", expected,
+                                   text_.substr(begin, at_ - begin)));
   }
   if (!word.empty()) {
     found = in_quotes(word);
   } else if (!ended()) {
     found = fmt::format("'{}'", printable(first_character(text_.substr(begin))));
   }
-  fail(begin, fmt::format("expected {}, got {}", expected, found));
+  malformed(begin, fmt::format("expected {}, got {}", expected, found));
 }
 
 namespace {

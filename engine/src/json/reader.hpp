@@ -111,12 +111,9 @@ class Reader {
   [[nodiscard]] std::string_view word_at(std::size_t begin) const;
   [[nodiscard]] bool is_not_finite() const;
   void complain_of_number(std::size_t begin, std::string_view word, std::string_view within);
-  Number scan_number();
   std::size_t scan_text(bool& escaped);
-  std::string decoded(std::string_view written, std::size_t offset) const;
   bool take_text(std::string_view& written, std::string& meant);
   void expect_word(std::string_view word);
-  [[noreturn]] void fail(std::size_t offset, std::string message) const;
   [[noreturn]] void unexpected(std::string_view expected);
 
   std::string_view text_;

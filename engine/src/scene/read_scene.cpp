@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <bitset>
-#include <charconv>
-#include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <type_traits>
 
 #include "json/reader.hpp"
 #include "json/text.hpp"
 #include "scene/table.hpp"
+#include "scene/value_reader.hpp"
 
 namespace carom::scene {
 
@@ -22,32 +20,11 @@ namespace {
 using json::Kind;
 using json::Reader;
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kLargestExact = 0x1p53;  // whole numbers written as 2e2 are taken up to here
-
-/// As JSON writes numbers, with at most as many digits as any scalar has, and no absurd exponent.
-bool is_decimal(std::string_view text) {
-  constexpr std::size_t kLongest = 200;
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return text.size() <= kLongest && error == std::errc() && stop == end && std::isfinite(value);
-}
-
 template <class Object>
 std::string_view nearest_key(std::string_view unknown) {
   std::vector<std::string_view> names;
   for_each_key<Object>([&](const auto& key) { names.push_back(key.name); });
   return nearest_word(unknown, names);
-}
-
-std::string one_of(std::span<const std::string_view> words) {
-  std::string list;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string_view join = i == 0 ? "" : i + 1 == words.size() ? " or " : ", ";
-    list += fmt::format("{}\"{}\"", join, words[i]);
-  }
-  return "must be " + list;
 }
 
 /// Which keys that are required are missed where they are not there.
@@ -60,10 +37,10 @@ struct Line {
   std::optional<std::size_t> effects;  ///< where in the text
 };
 
-class SceneReader {
+/// Reads the objects of a scene by the table of keys, and its script.
+class SceneReader : public ValueReader {
  public:
-  explicit SceneReader(std::string_view text, std::size_t begin = 0)
-      : text_(text), in_(text, begin) {}
+  using ValueReader::ValueReader;
 
   void read(Scene& scene) {
     read_object(scene, Missing::everywhere);
@@ -72,34 +49,9 @@ class SceneReader {
   /// What the object names, on top of what `effects` holds already.
   void read_on_top(Effects& effects) { read_object(effects, Missing::nowhere); }
 
-  std::vector<Finding> take_findings() {
-    for (json::Complaint& complaint : in_.complaints()) {
-      findings_.push_back(
-          {complaint.offset, {std::move(complaint.pointer), std::move(complaint.message)}});
-    }
-    return std::move(findings_);
-  }
-  /// Of a text that is malformed: of the rest only what keeps it from being JSON counts.
-  std::vector<Finding> take_complaints() {
-    findings_.clear();
-    return take_findings();
-  }
   std::vector<Line>& lines() { return lines_; }
 
  private:
-  void find(std::size_t offset, std::string place, std::string message) {
-    findings_.push_back({offset, {std::move(place), std::move(message)}});
-  }
-  /// The next value is not what it must be; passes it.
-  void wrong(std::string_view demand) {
-    const std::size_t offset = in_.offset();
-    if (in_.peek() == Kind::not_finite) return in_.not_finite();  // that is a complaint
-    std::string place = in_.pointer();
-    std::string got = in_.describe_and_skip();
-    if (got == "no number") return;
-    find(offset, std::move(place), fmt::format("{}, got {}", demand, got));
-  }
-
   // --- objects ---
 
   template <class Object>
@@ -197,68 +149,25 @@ class SceneReader {
     }
   }
 
-  // --- values, by their types ---
+  void read(CommandWord&, Missing) {
+    std::vector<std::string_view> known;
+    for_each_line([&](const auto& line) { known.push_back(std::decay_t<decltype(line)>::kWord); });
+    (void)read_word(known);
+  }
 
-  void read(double& number, Missing) {
-    if (in_.peek() == Kind::number) {
-      number = in_.number().value;
+  template <class Item>
+  void read(std::vector<Item>& items, Missing) {
+    read_list([&] { read_object(items.emplace_back(), Missing::everywhere); });
+  }
+
+  template <class Value>
+  void read(Value& value, Missing missing) {
+    if constexpr (HasTable<Value>) {
+      read_object(value, missing);
     } else {
-      number = kUnknown;
-      wrong("must be a number");
+      ValueReader::read(value);
     }
   }
-
-  void read(bool& flag, Missing) {
-    if (in_.peek() == Kind::flag) {
-      flag = in_.flag();
-    } else {
-      wrong("must be true or false");
-    }
-  }
-
-  void read(char& glyph, Missing) {
-    const std::size_t offset = in_.offset();
-    constexpr std::string_view kDemand =
-        "must be one printable ASCII character in quotes, as in \"8\"";
-    if (in_.peek() != Kind::text) return wrong(kDemand);
-    std::string place = in_.pointer();
-    const std::string text = in_.text();
-    if (text.size() == 1 && text[0] > ' ' && text[0] <= '~') {
-      glyph = text[0];
-    } else {
-      find(offset, std::move(place), fmt::format("{}, got {}", kDemand, json::in_quotes(text)));
-    }
-  }
-
-  void read(std::string& text, Missing) { read_text(text); }
-
-  /// A whole number, which may be written as 2e2; nothing where it is none.
-  std::optional<std::uint64_t> whole(std::string_view demand) {
-    const std::size_t offset = in_.offset();
-    if (in_.peek() != Kind::number) {
-      wrong(demand);
-      return std::nullopt;
-    }
-    const json::Number number = in_.number();
-    if (number.is_whole && !number.is_negative) return number.magnitude;
-    if (!number.is_whole && number.value >= 0 && number.value <= kLargestExact &&
-        std::trunc(number.value) == number.value) {
-      return static_cast<std::uint64_t>(number.value);
-    }
-    if (std::isnan(number.value)) return std::nullopt;  // that is a complaint
-    find(offset, in_.pointer(),
-         number.is_whole
-             ? fmt::format("{}, got {}{}", demand, number.is_negative ? "-" : "", number.magnitude)
-             : fmt::format("{}, got {}", demand, number.value));
-    return std::nullopt;
-  }
-  template <std::unsigned_integral Whole>
-  requires(!std::same_as<Whole, bool>) void read(Whole& number, Missing) {
-    constexpr std::uint64_t kMost = std::numeric_limits<Whole>::max();
-    const auto read = whole("must be a whole number from 0 on");
-    if (read) number = static_cast<Whole>(std::min<std::uint64_t>(*read, kMost));
-  }
-
   template <class T>
   void read(std::optional<T>& optional, Missing missing) {
     if constexpr (std::is_same_v<T, std::size_t>) {
@@ -267,151 +176,6 @@ class SceneReader {
       if (!optional) optional.emplace();
       read(*optional, missing);
     }
-  }
-
-  /// A list of two items; `read_item` is asked for each.  False: it is none.
-  template <class ReadItem>
-  bool read_two(std::string_view demand, ReadItem&& read_item) {
-    if (in_.peek() != Kind::list) {
-      wrong(demand);
-      return false;
-    }
-    const std::size_t offset = in_.offset();
-    const std::size_t before = findings_.size();
-    std::size_t count = 0;
-    in_.begin_list();
-    for (; in_.next_item(); ++count) {
-      if (count < 2) {
-        read_item(count);
-      } else {
-        in_.skip();
-      }
-    }
-    if (count == 2) return true;
-    findings_.resize(before);  // one fault is told once
-    find(offset, in_.pointer(),
-         fmt::format("{}, got {}", demand, count == 0 ? "an empty list" : "a list"));
-    return false;
-  }
-
-  void read(Vec2& pair, Missing missing) {
-    const bool two = read_two("must be two numbers, [x, y]",
-                              [&](std::size_t axis) { read(pair[axis], missing); });
-    if (!two) pair = {kUnknown, kUnknown};
-  }
-
-  void read(Gravity& gravity, Missing missing) { read(gravity.acceleration, missing); }
-
-  void read(std::array<Vec2, 2>& corners, Missing missing) {
-    const bool two = read_two("must be two corners, [[left, bottom], [right, top]]",
-                              [&](std::size_t corner) { read(corners[corner], missing); });
-    if (!two) corners = {Vec2{kUnknown, kUnknown}, Vec2{kUnknown, kUnknown}};
-  }
-
-  void read(std::array<bool, 2>& axes, Missing) {
-    if (in_.peek() != Kind::list) return wrong(R"(must be a list of "x" and "y", as in ["x"])");
-    axes = {false, false};
-    in_.begin_list();
-    while (in_.next_item()) {
-      constexpr std::string_view kDemand = R"(must be "x" or "y")";
-      const std::size_t offset = in_.offset();
-      if (in_.peek() != Kind::text) {
-        wrong(kDemand);
-        continue;
-      }
-      const std::string axis = in_.text();
-      if (axis != "x" && axis != "y") {
-        find(offset, in_.pointer(), fmt::format("{}, got {}", kDemand, json::in_quotes(axis)));
-      } else if (bool& is_periodic = axes[axis == "x" ? 0 : 1]; is_periodic) {
-        find(offset, in_.pointer(), fmt::format("names \"{}\" a second time", axis));
-      } else {
-        is_periodic = true;
-      }
-    }
-  }
-
-  /// Passes one of some words; gives its number.
-  std::optional<std::size_t> read_word(std::span<const std::string_view> words) {
-    const std::size_t offset = in_.offset();
-    if (in_.peek() != Kind::text) {
-      wrong(one_of(words));
-      return std::nullopt;
-    }
-    const std::string word = in_.text();
-    const auto at = std::find(words.begin(), words.end(), word);
-    if (at != words.end()) return static_cast<std::size_t>(at - words.begin());
-    find(offset, in_.pointer(), fmt::format("{}, got {}", one_of(words), json::in_quotes(word)));
-    return std::nullopt;
-  }
-  template <class Enum>
-  requires std::is_enum_v<Enum>
-  void read(Enum& value, Missing) {
-    const auto known = words(names_of(Enum{}));
-    if (const auto number = read_word(known)) value = names_of(Enum{})[*number].value;
-  }
-  void read(CommandWord&, Missing) {
-    std::vector<std::string_view> known;
-    for_each_line([&](const auto& line) { known.push_back(std::decay_t<decltype(line)>::kWord); });
-    (void)read_word(known);
-  }
-
-  template <class ReadItem>
-  void read_list(ReadItem&& read_item) {
-    if (in_.peek() != Kind::list) return wrong("must be a list in [ ]");
-    in_.begin_list();
-    while (in_.next_item()) read_item();
-  }
-  template <class Item>
-  void read(std::vector<Item>& items, Missing) {
-    read_list([&] { read_object(items.emplace_back(), Missing::everywhere); });
-  }
-
-  template <HasTable Object>
-  void read(Object& object, Missing missing) {
-    read_object(object, missing);
-  }
-
-  // --- texts ---
-
-  bool read_text(std::string& text) {
-    if (in_.peek() != Kind::text) {
-      wrong("must be a text in quotes");
-      return false;
-    }
-    text = in_.text();
-    return true;
-  }
-  void read_line(std::string& line) {
-    const std::size_t offset = in_.offset();
-    if (!read_text(line) || json::printable(line) == line) return;
-    find(offset, in_.pointer(),
-         fmt::format("must be one line of text without control characters, got {}",
-                     json::in_quotes(line)));
-  }
-  void read_decimal(std::string& decimal) {
-    constexpr std::string_view kDemand = "must be a decimal number in quotes";
-    const std::size_t offset = in_.offset();
-    if (in_.peek() != Kind::text) return wrong(kDemand);
-    decimal = in_.text();
-    if (is_decimal(decimal)) return;
-    find(offset, in_.pointer(), fmt::format("{}, got {}", kDemand, json::in_quotes(decimal)));
-  }
-  void read_decimal(std::array<std::string, 2>& pair) {
-    read_two(R"(must be two decimal numbers in quotes, ["x", "y"])",
-             [&](std::size_t axis) { read_decimal(pair[axis]); });
-  }
-
-  void read_workers(Scene& scene) {
-    constexpr std::string_view kDemand = "must be \"per-ball\" or a whole number from 1 on";
-    scene.per_ball = in_.peek() == Kind::text;
-    if (!scene.per_ball) {
-      scene.workers = whole(kDemand);
-      return;
-    }
-    const std::size_t offset = in_.offset();
-    const std::string word = in_.text();
-    if (word == kPerBall) return;
-    find(offset, in_.pointer(), fmt::format("{}, got {}", kDemand, json::in_quotes(word)));
   }
 
   // --- the script ---
@@ -491,9 +255,6 @@ class SceneReader {
     lines_.push_back({{at, std::move(command)}, number, std::nullopt});
   }
 
-  std::string_view text_;
-  Reader in_;
-  std::vector<Finding> findings_;
   std::vector<Line> lines_;
   std::size_t next_line_ = 0;
   std::optional<std::size_t> effects_begin_;  // of the line that sets them
