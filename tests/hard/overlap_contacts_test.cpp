@@ -127,6 +127,25 @@ TEST(OverlapContacts, ATowerOfFiftyStands) {
   expect_still(box(balls), 60);
 }
 
+// One island, of more balls than the stack of a worker has room to order.
+TEST(OverlapContacts, AWallOfFourThousandBallsStands) {
+  std::vector<Ball> balls;
+  for (int column = 0; column < 62; ++column) {
+    for (int row = 0; row < 64; ++row) {
+      balls.push_back(disk(0.5 + column, 0.5 + row));
+      balls.back().velocity.y() = row == 0 ? 0 : -1e-3;
+    }
+  }
+  Scene scene = box(balls);
+  scene.box = {62, 66};
+  Simulation simulation(scene);
+  simulation.advance_to(4 * scene.solver.step);
+  const std::vector<Ball> now = simulation.state();
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    EXPECT_NEAR(now[i].position.y(), scene.balls[i].position.y(), 1e-4);
+  }
+}
+
 TEST(OverlapContacts, APyramidOfTenRowsStandsByFriction) {
   std::vector<Ball> balls;
   for (int row = 0; row < 10; ++row) {

@@ -1,3 +1,7 @@
+// Workers have small stacks: what Eigen would put there is larger for a few thousand bodies.  The
+// same in every source that includes it, as its functions are one.
+#define EIGEN_STACK_ALLOCATION_LIMIT 4096
+
 #include "contact/block_cholesky.hpp"
 
 #include <Eigen/OrderingMethods>
