@@ -37,7 +37,15 @@ double mass_ratio(const Scene& scene) {
 }  // namespace
 
 void print_warnings(const Scene& scene, double seconds) {
-  if (choose_method(scene).method != Method::overlap) return;
+  if (choose_method(scene).method != Method::overlap) {
+    constexpr double kMostRatio = 1e7;
+    if (const double ratio = mass_ratio(scene); ratio > kMostRatio && loses_energy(scene)) {
+      warn(scene, fmt::format("masses of 1 : {:.2g} under gravity: event lets heavy balls sink "
+                              "into light ones beyond 1 : 1e7; use masses that are nearer",
+                              ratio));
+    }
+    return;
+  }
   const double step = scene.solver.step;
   if (seconds > 0 && step > seconds) {
     warn(scene, fmt::format("/solver/step: {:.4g} s is longer than the run of {:.4g} s: overlap "

@@ -38,7 +38,22 @@ std::string line(const std::string& keys) {
   return solid(R"("balls": [{"position": [3, 5]}], "script": [{)" + keys + "}]");
 }
 
+/// The same where balls can come to rest on each other.
+std::string lying(const std::string& balls, const std::string& keys) {
+  return with(R"("effects": {"walls": {"restitution": 0.5}, "collisions": {"restitution": 0.5},
+                             "gravity": [0, -9.81]}, "balls": [)" +
+              balls + "]" + keys);
+}
+
 const std::vector<BadScene> kBad{
+    // Masses
+    {"HeavyOnLight", lying(R"({"position": [3, 5]}, {"position": [8, 5], "mass": 2e9})", ""),
+     "/balls/1/mass", "is 2e+09 times the lightest mass"},
+    {"HeavyOnLightByTheScript",
+     lying(R"({"position": [3, 5]})",
+           R"(, "script": [{"at": 1, "command": "add",
+                            "ball": {"position": [8, 5], "mass": 1e12}}])"),
+     "/script/0/ball/mass", "is 1e+12 times the lightest mass"},
     // The text
     {"EmptyFile", "", "", "is empty"},
     {"OnlySpace", " \n\t ", "", "is empty"},
@@ -273,6 +288,12 @@ TEST_P(BadSceneIsRefused, WithItsExactPlaceAndAClearLine) {
 
 INSTANTIATE_TEST_SUITE_P(Scene, BadSceneIsRefused, testing::ValuesIn(kBad),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(BadScene, IsNoneWithMassesOfOneToABillionOrWhereNoneCanLieOnAnother) {
+  EXPECT_NO_THROW(
+      parse_scene(lying(R"({"position": [3, 5]}, {"position": [8, 5], "mass": 1e9})", ""), "x"));
+  EXPECT_NO_THROW(parse_scene(ball(R"("mass": 1e12)"), "x"));
+}
 
 TEST(BadScene, TellsEveryProblemInTheOrderOfTheFile) {
   try {

@@ -183,6 +183,47 @@ void judge_pace(const Scene& scene, const std::vector<std::size_t>& script_lines
   }
 }
 
+/// Calls `visit` with the place and the mass of all balls that can move, those of the script too.
+template <class Visit>
+void for_each_mass(const Scene& scene, const std::vector<std::size_t>& script_lines, Visit visit) {
+  for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+    if (!scene.balls[i].fixed) visit("/balls/", i, "/mass", scene.balls[i].mass);
+  }
+  for (std::size_t i = 0; i < scene.fills.size(); ++i) {
+    visit("/fill/", i, "/mass", scene.fills[i].mass);
+  }
+  for (std::size_t i = 0; i < scene.script.size(); ++i) {
+    const auto* add = std::get_if<command::Add>(&scene.script[i].command);
+    if (add == nullptr || add->ball.fixed) continue;
+    visit("/script/", i < script_lines.size() ? script_lines[i] : i, "/ball/mass", add->ball.mass);
+  }
+}
+
+// Where a heavy ball lies on a light one, method event balances forces of both sizes.
+void judge_masses(const Scene& scene, const std::vector<std::size_t>& script_lines,
+                  Verdict& verdict) {
+  const Effects& effects = scene.effects;
+  if (!effects.gravity || !effects.collisions || !loses_energy(scene)) return;
+  if (choose_method(scene).method != Method::event) return;
+  constexpr double kMostMassRatio = 1e9;
+  double least = kLargest;
+  for_each_mass(scene, script_lines, [&](auto, auto, auto, double mass) {
+    if (mass > 0) least = std::min(least, mass);
+  });
+  bool told = false;
+  for_each_mass(
+      scene, script_lines, [&](const char* list, std::size_t i, const char* key, double mass) {
+        if (told || !(mass > kMostMassRatio * least) || !(mass <= kLargest)) return;
+        told = true;
+        verdict.add(
+            std::string_view(fmt::format("{}{}{}", list, i, key)),
+            fmt::format("is {:.3g} times the lightest mass, and heavy balls can lie on light "
+                        "ones here, which method \"event\" computes up to {:g} times: use "
+                        "masses that are nearer",
+                        mass / least, kMostMassRatio));
+      });
+}
+
 void judge_workers(const Scene& scene, Verdict& verdict) {
   if (!scene.workers) return;
   if (*scene.workers == 0) {
@@ -251,6 +292,7 @@ std::vector<Problem> judge(const Scene& scene, const std::vector<std::size_t>& s
   judge_clock(scene, verdict);
   judge_script(scene, script_lines, verdict);
   judge_pace(scene, script_lines, verdict);
+  judge_masses(scene, script_lines, verdict);
   judge_continuation(scene, verdict);
   return verdict.take();
 }
