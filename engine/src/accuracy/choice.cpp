@@ -91,10 +91,8 @@ std::optional<std::size_t> cheapest_within(const AccuracyStudy& study, double ta
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const AccuracyRow& row = study.rows[i];
     if (!meets(row, target)) continue;
-    const AccuracyRow& known = study.rows[*best];
-    const bool better =
-        row.digits < known.digits || (row.digits == known.digits && row.seconds < known.seconds);
-    if (better && takes_as_long(row, cheapest)) best = i;
+    const bool fewer = row.digits < study.rows[*best].digits;
+    if (fewer && takes_as_long(row, cheapest)) best = i;
   }
   // The cheapest with so many digits, though its time may be told apart from that of the cheapest.
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
