@@ -143,11 +143,11 @@ int run(const Options& options) {
   Progress progress(!options.quiet);
   if (!earlier) refuse_unwritable([&] { outputs->begin(session, schedule.frame()); });
   const bool watched = outputs->look_at_frames();
-  FramesAtOnce stretch(!watched && (progress.shown() || checkpoints));
-  while (watched ? schedule.next_frame() : schedule.next_frames(stretch.frames())) {
+  FramesAtOnce at_once(!watched && (progress.shown() || checkpoints));
+  while (watched ? schedule.next_frame() : schedule.next_frames(at_once.frames())) {
     outputs->frame(schedule.frame());
     progress.show(schedule.part_done(), session.simulation().time());
-    stretch.adapt();
+    at_once.adapt();
     if (checkpoints.due() && outputs->leaves(schedule.frame())) {
       checkpoints.write(checkpoint_of(session, schedule, *outputs, earlier));
     }
