@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/island_energy.hpp"
 #include "contact/island_friction.hpp"
 
 namespace carom::contact {
@@ -15,7 +16,6 @@ constexpr double kStatic = 0x1p-24;         // the same for what is held at rest
 constexpr double kApart = 0x1p-8;           // how fast what overlaps comes apart
 constexpr double kClosed = 0x1p-14;    // a gap that is none, by the way of that speed in a step
 constexpr double kTolerated = 0x1p-4;  // an overlap that stays where there is friction
-constexpr double kRounding = 0x1p-44;
 constexpr double kSlip = 0x1p-5;
 constexpr double kSlipChange = 0x1p-4;  // how exactly a slip is known
 constexpr int kSlipRounds = 2;
@@ -74,29 +74,6 @@ double closing_room(const IslandContact& c, const IslandStep::Rule& rule, double
   const double way = rule.speed * rule.step;
   if (c.gap > -tolerated * way && c.gap < kClosed * way) return 0;
   return std::max(c.gap / rule.step, -kApart * rule.speed);
-}
-
-/// What the energy of an island grows by in a step.
-double gain(const std::vector<IslandBody>& bodies, const IslandOutcome& outcome,
-            const IslandStep::Rule& rule) {
-  double sum = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const IslandBody& body = bodies[i];
-    const double turning = outcome.turning[i];
-    double twice = outcome.after[i].squaredNorm() - body.before.squaredNorm();
-    twice += (turning * turning - body.turning * body.turning) / 2;
-    sum += (twice / 2 - rule.step * rule.acceleration.dot(outcome.mean[i])) / body.inverse_mass;
-  }
-  return sum;
-}
-
-double energy_scale(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule) {
-  double sum = 0;
-  for (const IslandBody& body : bodies) {
-    const double speed = rule.speed * rule.speed;
-    sum += (body.before.squaredNorm() + body.turning * body.turning + speed) / body.inverse_mass;
-  }
-  return sum;
 }
 
 }  // namespace
@@ -297,11 +274,13 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
     any = true;
   }
   if (any) {
-    hold_energy(island, plastic, outcome);
+    hold_energy(bodies, rule, plastic, outcome);
   } else {
-    lose_gain(island, plastic.after, outcome);
+    lose_gain(bodies, rule, plastic.after, outcome);
   }
-  end_gain(island, outcome);
+  const bool held =
+      std::any_of(contacts.begin(), contacts.end(), [](const IslandContact& c) { return c.b < 0; });
+  end_gain(bodies, rule, held, outcome);
 }
 
 // By the plastic step no contact closes: whose contacts do close go with it.
@@ -319,93 +298,6 @@ void IslandStep::keep_apart(const Island& island, const std::vector<Vec2>& plast
       }
     }
   }
-}
-
-// after = plastic + part (after - plastic): a convex parabola of energy that is not above 0 at part
-// 0. The part is the largest without a gain; only where nothing is lost may it be more than 1.
-void IslandStep::hold_energy(const Island& island, const IslandOutcome& plastic,
-                             IslandOutcome& outcome) {
-  const Rule& rule = island.rule;
-  const double grown = gain(island.bodies, outcome, rule);
-  const double rounding = kRounding * energy_scale(island.bodies, rule);
-  if (!(grown > rounding) && !(rule.keeps_energy && grown < -rounding)) return;
-  double square = 0;
-  double linear = 0;
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const double inverse = island.bodies[i].inverse_mass;
-    const Vec2 change = outcome.after[i] - plastic.after[i];
-    const double turn = outcome.turning[i] - plastic.turning[i];
-    square += (change.squaredNorm() + turn * turn / 2) / 2 / inverse;
-    linear += (plastic.after[i].dot(change) + plastic.turning[i] * turn / 2) / inverse;
-  }
-  IslandOutcome still = outcome;
-  still.after = plastic.after;
-  still.turning = plastic.turning;
-  const double rest = std::max(-gain(island.bodies, still, rule), 0.0);
-  if (!(square > 0)) return;
-  const double root = std::sqrt(linear * linear + 4 * square * rest);
-  const double part = linear > 0 ? 2 * rest / (linear + root) : (root - linear) / (2 * square);
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    outcome.after[i] = plastic.after[i] + part * (outcome.after[i] - plastic.after[i]);
-    outcome.turning[i] = plastic.turning[i] + part * (outcome.turning[i] - plastic.turning[i]);
-  }
-}
-
-// The step that goes where its velocity at the end takes it gains nothing: as near to that one as
-// it takes.
-void IslandStep::lose_gain(const Island& island, const std::vector<Vec2>& plastic,
-                           IslandOutcome& outcome) {
-  const double grown = gain(island.bodies, outcome, island.rule);
-  if (!(grown > kRounding * energy_scale(island.bodies, island.rule))) return;
-  double work = 0;  // of the way from the one to the other
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    work +=
-        island.rule.acceleration.dot(plastic[i] - outcome.mean[i]) / island.bodies[i].inverse_mass;
-  }
-  const double needed = grown / island.rule.step;
-  const double part = work > needed ? needed / work : 1;
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    outcome.mean[i] += part * (plastic[i] - outcome.mean[i]);
-  }
-}
-
-// What is gained still is what solutions are not exact to, and what overlaps that come apart lift:
-// then balls that are held by a wall or a fixed ball go less far, and in the end slower; others do
-// so relative to their centre of mass.
-void IslandStep::end_gain(const Island& island, IslandOutcome& outcome) {
-  const double rounding = kRounding * energy_scale(island.bodies, island.rule);
-  double grown = gain(island.bodies, outcome, island.rule);
-  if (!(grown > rounding)) return;
-  const bool held = std::any_of(island.contacts.begin(), island.contacts.end(),
-                                [](const IslandContact& c) { return c.b < 0; });
-  const auto centre = [&](const std::vector<Vec2>& motion) {
-    Vec2 sum{0, 0};
-    double mass = 0;
-    for (std::size_t i = 0; i < motion.size() && !held; ++i) {
-      sum += motion[i] / island.bodies[i].inverse_mass;
-      mass += 1 / island.bodies[i].inverse_mass;
-    }
-    return held ? Vec2{0, 0} : sum / mass;
-  };
-  const Vec2 way = centre(outcome.mean);
-  const Vec2 speed = centre(outcome.after);
-  double lifting = 0;
-  double moving = 0;
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const double mass = 1 / island.bodies[i].inverse_mass;
-    lifting -= mass * island.rule.step * island.rule.acceleration.dot(outcome.mean[i] - way);
-    const double turning = outcome.turning[i];
-    moving += mass * ((outcome.after[i] - speed).squaredNorm() + turning * turning / 2) / 2;
-  }
-  if (lifting > 0) {
-    const double part = std::max(1 - grown / lifting, 0.0);
-    for (Vec2& v : outcome.mean) v = way + part * (v - way);
-    grown -= (1 - part) * lifting;
-  }
-  if (!(grown > rounding) || !(moving > 0)) return;
-  const double part = std::sqrt(std::max(1 - grown / moving, 0.0));
-  for (Vec2& v : outcome.after) v = speed + part * (v - speed);
-  for (double& turning : outcome.turning) turning *= part;
 }
 
 // A contact alone: of a disk the normal impulse does not change the slip, nor the tangential one
@@ -460,15 +352,17 @@ void IslandStep::take_single(const Island& island, IslandOutcome& outcome) {
   };
   push(a, -1, of_a / (of_a + of_b));
   if (c.b >= 0) push(at(c.b), 1, of_b / (of_a + of_b));
-  if (rule.keeps_energy) {
+  if (rule.keeps_energy || bounce) {
     IslandOutcome plastic = outcome;
     const auto stop = [&](std::size_t body, int side, double share) {
-      plastic.after[body] = island.bodies[body].free + side * share * (-room - free) * c.normal;
+      plastic.after[body] = island.bodies[body].free +
+                            side * share * ((-room - free) * c.normal + rule.fading * along * t);
     };
     stop(a, -1, of_a / (of_a + of_b));
     if (c.b >= 0) stop(at(c.b), 1, of_b / (of_a + of_b));
-    hold_energy(island, plastic, outcome);
+    hold_energy(island.bodies, rule, plastic, outcome);
   }
+  end_gain(island.bodies, rule, c.b < 0, outcome);
 }
 
 template <int D>

@@ -91,13 +91,8 @@ class IslandStep {
     double mass_unit = 1;
   };
 
-  static void hold_energy(const Island& island, const IslandOutcome& plastic,
-                          IslandOutcome& outcome);
-  static void lose_gain(const Island& island, const std::vector<Vec2>& plastic,
-                        IslandOutcome& outcome);
   static void keep_apart(const Island& island, const std::vector<Vec2>& plastic, double solved,
                          std::vector<Vec2>& mean);
-  static void end_gain(const Island& island, IslandOutcome& outcome);
   static void take_single(const Island& island, IslandOutcome& outcome);
   template <int D>
   void take(Work<D>& work, const Island& island, IslandOutcome& outcome);

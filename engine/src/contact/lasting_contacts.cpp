@@ -7,6 +7,7 @@
 
 #include "contact/ball_contact.hpp"
 #include "contact/island_account.hpp"
+#include "contact/island_energy.hpp"
 #include "contact/wall_contacts.hpp"
 
 namespace carom::contact {
@@ -20,7 +21,8 @@ constexpr double kStillAlone = 0x1p-10;
 // Closer than this after the flight balls are linked, as a part of how far the acceleration takes
 // a ball in a step.
 constexpr double kLinked = 3;
-constexpr double kUnequal = 16;  // masses: the heavier ball lies on the lighter one for long
+constexpr double kExact = 0x1p-14;  // solutions are at least as exact
+constexpr double kUnequal = 16;     // masses: the heavier ball lies on the lighter one for long
 
 Vec2 column(const std::array<std::vector<double>, 2>& columns, std::size_t ball) {
   return {columns[0][ball], columns[1][ball]};
@@ -372,6 +374,22 @@ void LastingContacts::resolve(std::size_t number, Balls& balls, bool may_sleep, 
         std::abs(v.x()) < still && std::abs(v.y()) < still && std::abs(outcome.turning[m]) < still;
   }
   island.sleeps = slow && step.holds(island.bodies, island.contacts, spins, rule);
+  if (has_walls() && !island.sleeps) {
+    for (const std::uint32_t ball : beyond_far_walls(island, outcome.mean, rule_.step, domain_)) {
+      island.driven = island.driven || driven_[ball] == 0;
+      driven_[ball] = 1;
+    }
+    const std::vector<Vec2> inside = ways_inside(island, outcome.mean, rule_.step, domain_);
+    double out = 0;
+    for (std::size_t m = 0; m < inside.size(); ++m) {
+      out = std::max(out, (inside[m] - outcome.mean[m]).norm());
+    }
+    if (out > kExact * rule.speed) {
+      confine(island.bodies, rule, inside, outcome);
+    } else if (out > 0 && rule.keeps_energy) {
+      pay_for_rounding(rule, inside, outcome);
+    }
+  }
   island.turn_back(outcome);
   for (std::size_t m = 0; m < island.members.size(); ++m) {
     Member& member = island.members[m];
@@ -380,12 +398,7 @@ void LastingContacts::resolve(std::size_t number, Balls& balls, bool may_sleep, 
       continue;
     }
     const Vec2 place = member.start + rule_.step * outcome.mean[m];
-    const double radius = balls.radius[member.ball];
-    put(balls, member, place, outcome.after[m], outcome.turning[m] / radius);
-    if (has_walls() && driven_[member.ball] == 0 && beyond_far_wall(member, place, domain_)) {
-      driven_[member.ball] = 1;
-      island.driven = true;
-    }
+    put(balls, member, place, outcome.after[m], outcome.turning[m] / member.radius);
     const Vec2 pushed = rule_.step * outcome.mean[m] - member.flight;
     island.push = std::max(island.push, pushed.norm());
   }

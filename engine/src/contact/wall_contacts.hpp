@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "contact/lasting_island.hpp"
@@ -21,8 +22,15 @@ constexpr double kNearWall = 0.25;
 void add_wall_contacts(LastingIsland& island, const Domain& domain, const WallContactRule& rule,
                        const std::vector<char>& driven);
 
-/// Whether the place is beyond a wall that was not near.
-[[nodiscard]] bool beyond_far_wall(const LastingIsland::Member& member, const Vec2& place,
-                                   const Domain& domain);
+/// The balls of an island that ways of these mean velocities, in its frame, take beyond a wall that
+/// was not near.
+[[nodiscard]] std::vector<std::uint32_t> beyond_far_walls(const LastingIsland& island,
+                                                          const std::vector<Vec2>& mean,
+                                                          double step, const Domain& domain);
+
+/// The mean velocities, in the frame of the island, of ways that end inside the walls.
+[[nodiscard]] std::vector<Vec2> ways_inside(const LastingIsland& island,
+                                            const std::vector<Vec2>& mean, double step,
+                                            const Domain& domain);
 
 }  // namespace carom::contact

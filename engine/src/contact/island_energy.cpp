@@ -1,0 +1,154 @@
+#include "contact/island_energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace carom::contact {
+namespace {
+
+constexpr double kRoundingOfGain = 0x1p-44;
+// Of the kinetic energy, for what solutions are inexact to: what hardly moves must not stop.
+constexpr double kPaidAtMost = 0x1p-20;
+
+/// The kinetic energy relative to the velocity `frame`.
+double moving_energy(const std::vector<IslandBody>& bodies, const IslandOutcome& outcome,
+                     const Vec2& frame) {
+  double sum = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const double turning = outcome.turning[i];
+    const double twice = (outcome.after[i] - frame).squaredNorm() + turning * turning / 2;
+    sum += twice / 2 / bodies[i].inverse_mass;
+  }
+  return sum;
+}
+
+void scale_velocities(double part, const Vec2& frame, IslandOutcome& outcome) {
+  for (Vec2& v : outcome.after) v = frame + part * (v - frame);
+  for (double& turning : outcome.turning) turning *= part;
+}
+
+Vec2 mean_by_mass(const std::vector<IslandBody>& bodies, const std::vector<Vec2>& motion) {
+  Vec2 sum{0, 0};
+  double mass = 0;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    sum += motion[i] / bodies[i].inverse_mass;
+    mass += 1 / bodies[i].inverse_mass;
+  }
+  return sum / mass;
+}
+
+}  // namespace
+
+double gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule,
+            const IslandOutcome& outcome) {
+  double sum = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const IslandBody& body = bodies[i];
+    const double turning = outcome.turning[i];
+    double twice = outcome.after[i].squaredNorm() - body.before.squaredNorm();
+    twice += (turning * turning - body.turning * body.turning) / 2;
+    sum += (twice / 2 - rule.step * rule.acceleration.dot(outcome.mean[i])) / body.inverse_mass;
+  }
+  return sum;
+}
+
+double rounding_of_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule) {
+  double sum = 0;
+  for (const IslandBody& body : bodies) {
+    const double speed = rule.speed * rule.speed;
+    sum += (body.before.squaredNorm() + body.turning * body.turning + speed) / body.inverse_mass;
+  }
+  return kRoundingOfGain * sum;
+}
+
+// after = plastic + part (after - plastic): a convex parabola of energy that is not above 0 at part
+// 0. The part is the largest without a gain.
+void hold_energy(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule,
+                 const IslandOutcome& plastic, IslandOutcome& outcome) {
+  const double grown = gain(bodies, rule, outcome);
+  const double rounding = rounding_of_gain(bodies, rule);
+  if (!(grown > rounding) && !(rule.keeps_energy && grown < -rounding)) return;
+  double square = 0;
+  double linear = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const double inverse = bodies[i].inverse_mass;
+    const Vec2 change = outcome.after[i] - plastic.after[i];
+    const double turn = outcome.turning[i] - plastic.turning[i];
+    square += (change.squaredNorm() + turn * turn / 2) / 2 / inverse;
+    linear += (plastic.after[i].dot(change) + plastic.turning[i] * turn / 2) / inverse;
+  }
+  IslandOutcome still = outcome;
+  still.after = plastic.after;
+  still.turning = plastic.turning;
+  const double rest = std::max(-gain(bodies, rule, still), 0.0);
+  if (!(square > 0)) return;
+  const double root = std::sqrt(linear * linear + 4 * square * rest);
+  const double part = linear > 0 ? 2 * rest / (linear + root) : (root - linear) / (2 * square);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    outcome.after[i] = plastic.after[i] + part * (outcome.after[i] - plastic.after[i]);
+    outcome.turning[i] = plastic.turning[i] + part * (outcome.turning[i] - plastic.turning[i]);
+  }
+}
+
+void lose_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule,
+               const std::vector<Vec2>& plastic, IslandOutcome& outcome) {
+  const double grown = gain(bodies, rule, outcome);
+  if (!(grown > rounding_of_gain(bodies, rule))) return;
+  double work = 0;  // of the way from the one to the other
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    work += rule.acceleration.dot(plastic[i] - outcome.mean[i]) / bodies[i].inverse_mass;
+  }
+  const double needed = grown / rule.step;
+  const double part = work > needed ? needed / work : 1;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    outcome.mean[i] += part * (plastic[i] - outcome.mean[i]);
+  }
+}
+
+void end_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule, bool held,
+              IslandOutcome& outcome) {
+  const double rounding = rounding_of_gain(bodies, rule);
+  double grown = gain(bodies, rule, outcome);
+  if (!(grown > rounding)) return;
+  const Vec2 way = held ? Vec2{0, 0} : mean_by_mass(bodies, outcome.mean);
+  const Vec2 speed = held ? Vec2{0, 0} : mean_by_mass(bodies, outcome.after);
+  double lifting = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const double mass = 1 / bodies[i].inverse_mass;
+    lifting -= mass * rule.step * rule.acceleration.dot(outcome.mean[i] - way);
+  }
+  const double moving = moving_energy(bodies, outcome, speed);
+  if (lifting > 0) {
+    const double part = std::max(1 - grown / lifting, 0.0);
+    for (Vec2& v : outcome.mean) v = way + part * (v - way);
+    grown -= (1 - part) * lifting;
+  }
+  if (!(grown > rounding) || !(moving > 0)) return;
+  scale_velocities(std::sqrt(std::max(1 - grown / moving, 0.0)), speed, outcome);
+}
+
+void confine(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule,
+             const std::vector<Vec2>& inside, IslandOutcome& outcome) {
+  outcome.mean = inside;
+  const double rounding = rounding_of_gain(bodies, rule);
+  const double grown = gain(bodies, rule, outcome);
+  if (grown > rounding) {
+    end_gain(bodies, rule, true, outcome);
+  } else if (rule.keeps_energy && grown < -rounding) {
+    const double moving = moving_energy(bodies, outcome, {0, 0});
+    if (moving > 0) scale_velocities(std::sqrt(1 - grown / moving), {0, 0}, outcome);
+  }
+}
+
+void pay_for_rounding(const IslandStep::Rule& rule, const std::vector<Vec2>& inside,
+                      IslandOutcome& outcome) {
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    if (inside[i] == outcome.mean[i]) continue;
+    const double gained = rule.step * rule.acceleration.dot(outcome.mean[i] - inside[i]);
+    const double moving = outcome.after[i].squaredNorm() / 2;
+    if (std::abs(gained) < kPaidAtMost * moving) outcome.after[i] *= std::sqrt(1 - gained / moving);
+  }
+}
+
+}  // namespace carom::contact
