@@ -58,6 +58,7 @@ void for_each_number(M& m, Visit visit) {
   visit(m.ball_wall);
   visit(m.joint_impacts);
   visit(m.resting_contacts);
+  visit(m.jammed);
   visit(m.islands_again);
   visit(m.missed_hits);
   visit(m.energy_initial);

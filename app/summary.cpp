@@ -70,6 +70,11 @@ std::string to_summary(const Report& report) {
   text += row("energy error", fmt::format("{:.2e} relative", measured.relative_energy_error()));
   text += row("max overlap", fmt::format("{:.2e} of the smaller radius", measured.max_overlap));
   if (!report.warning.empty()) text += row("warning", report.warning);
+  if (measured.jammed > 0) {
+    text += row("jammed", fmt::format("{} contacts in a gap of zero, with speed across it that no "
+                                      "impacts end: see carom-models(7)",
+                                      measured.jammed));
+  }
   if (measured.missed_hits > 0) {
     text += row("missed hits", fmt::format("{} or more: balls passed through each other between "
                                            "two steps, take a smaller one",

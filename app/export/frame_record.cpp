@@ -10,6 +10,7 @@ Measurements together(const Measurements& before, const Measurements& since) {
   all.ball_wall += before.ball_wall;
   all.joint_impacts += before.joint_impacts;
   all.resting_contacts += before.resting_contacts;
+  all.jammed += before.jammed;
   all.islands_again += before.islands_again;
   all.missed_hits += before.missed_hits;
   all.energy_initial = before.energy_initial;

@@ -83,6 +83,7 @@ class Simulation::Implementation {
       throw CommandError(fmt::format("there is no ball {} to remove: there are {}", ball, n));
     }
     collect_impacts(true);
+    tell_slides(ball);
     const auto place = static_cast<std::ptrdiff_t>(ball);
     note({.kind = ImpactKind::remove, .a = ids_[ball], .position = position_of(ball)});
     if (!solver_->state()[ball].fixed) --moving_;
@@ -156,8 +157,9 @@ class Simulation::Implementation {
     recording_ = wanted;
     record_ = ImpactRecord(record_.next_event());
   }
-  std::vector<Impact> take_impacts(bool of_all) {
-    collect_impacts(of_all);
+  std::vector<Impact> take_impacts(bool at_the_end) {
+    collect_impacts(at_the_end);
+    for (std::size_t i = 0; i < ids_.size() && at_the_end; ++i) tell_slides(i);
     return record_.take();
   }
   const std::vector<std::size_t>& ids() const { return ids_; }
@@ -195,6 +197,13 @@ class Simulation::Implementation {
     if (!recording_) return;
     std::vector<Impact> impacts;
     solver_->take_impacts(impacts, of_all);
+    record_.add(std::move(impacts), ids_);
+  }
+  /// Of a ball whose contacts end without an event.
+  void tell_slides(std::size_t ball) {
+    if (!recording_) return;
+    std::vector<Impact> impacts;
+    solver_->tell_slides(ball, impacts);
     record_.add(std::move(impacts), ids_);
   }
   void note(Impact command) {

@@ -17,6 +17,7 @@ struct Measurements {
   std::uint64_t ball_wall = 0;         ///< impacts at walls
   std::uint64_t joint_impacts = 0;     ///< of several contacts at one instant
   std::uint64_t resting_contacts = 0;  ///< contacts that came to rest
+  std::uint64_t jammed = 0;            ///< contacts in a gap of zero, with speed across it
   std::uint64_t islands_again = 0;     ///< parts of the plane that were solved again, see event
   std::uint64_t missed_hits = 0;       ///< balls passed through between two steps, at the least
   double energy_initial = 0;           ///< kinetic and potential

@@ -36,11 +36,14 @@ struct Stroke {
   S restitution;
 };
 
-/// What a group may cost in one instant before the rest of it is taken inelastically, in contacts
-/// times rounds. A ball between a wall and one M times as heavy needs pi sqrt(M) rounds, so
-/// without losses this is reached for M beyond 1e8, or where balls are wedged in between walls
-/// and bounce for ever in no time at all.
-inline constexpr double kMostWork = 1 << 16;
+/// What a group may cost in one instant before the rest of it is taken inelastically, in rounds
+/// times contacts squared, and how many rounds any group may take. A ball between a wall and one M
+/// times as heavy needs pi sqrt(M) rounds, so without losses this is reached for M beyond 1e8, or
+/// where balls are wedged in between walls and bounce for ever in no time at all.
+inline constexpr double kMostWork = 1 << 18;
+inline constexpr double kFewRounds = 128;
+/// A component of a normal that is smaller than this part of the other may be rounding.
+inline constexpr double kRoundingOfNormal = 0x1p-40;
 
 /// All impacts of one instant in a group of touching balls, walls and fixed balls, resolved
 /// together.
@@ -230,7 +233,7 @@ class JointImpact {
     if (e == 0) return 0;
     const auto contacts = static_cast<double>(graph_.size());
     const auto loss = static_cast<double>(S(1 - e));
-    const double most = kMostWork / contacts;
+    const double most = std::max(kMostWork / (contacts * contacts), kFewRounds);
     const double lossy = 8 * (8 + contacts);
     return static_cast<int>(lossy < most * loss ? lossy / loss : most);
   }
@@ -425,6 +428,8 @@ class JointImpact {
       for (std::size_t k = 0; k < axis.size(); ++k) axis[k] = k;
     }
     std::vector<char> locked(bodies_.size(), 0);
+    // First along the axes that a contact does not only seem to have by rounding.
+    S least = kRoundingOfNormal;
     while (const auto approaching = choose(false)) {
       for (std::size_t k = 0; k < graph_.size(); ++k) {
         if (!(*approaching)[k]) continue;
@@ -432,9 +437,12 @@ class JointImpact {
         for (const int body : {c.a, c.b}) {
           if (graph_.inverse_mass(body) != 0) locked[index(body)] = 1;
         }
-        if (c.r.x != 0) join(one[0], c);
-        if (c.r.y != 0) join(one[1], c);
+        const S x = absolute(c.r.x);
+        const S y = absolute(c.r.y);
+        if (x > least * y) join(one[0], c);
+        if (y > least * x) join(one[1], c);
       }
+      least = 0;
       give_common_velocities(one[0], &Vec<S>::x);
       give_common_velocities(one[1], &Vec<S>::y);
     }

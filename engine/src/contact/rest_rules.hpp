@@ -20,10 +20,17 @@ namespace carom::event {
 // wall is elastic, and only other impacts or drag lose energy, hops do not end: there those within
 // 2^-12 sqrt(s/g) are none, s twice the radius; they are 2^-27 s high.
 //
+// Along a wall that rubs, with mu and the normal pull g_n, a uniform disk slides under g_t - mu g_n
+// against its slip, its spin changing by 2 mu g_n / r in a second, until the slip is 0: an event of
+// its own. Then it rolls, under two thirds of the pull along the wall and of the rate of drag, if
+// friction can give it the other third, |g_t - k v| <= 3 mu g_n; the pull fades, so it then rolls
+// until something meets it. Else it slides the way it is pulled.  What turns in a corner rubs on
+// both walls until it turns no more, if its turning presses it to both.
+//
 // Rule 2, collapse without a force (McNamara and Young, Phys. Fluids A 4 (1992) 496).  Two that
-// would part by less than 2^-95 of their distance in a tick take one normal velocity: they stay
-// together, and are counted.  Balls that have been hit within 2^15 ticks before are resolved with
-// all that touch them as one joint_impact().
+// would part by less than 2^-40 of their distance while something crosses the box take one normal
+// velocity: they stay together, and are counted.  Balls that have been hit within 2^15 ticks before
+// are resolved with all that touch them as one joint_impact().
 //
 // Rule 3, crowds.  A contact that lasts and slides (a ball on the side of another, a pile that
 // creeps) has no closed form.  Under gravity and with losses the balls of such contacts are a
@@ -35,7 +42,9 @@ namespace carom::event {
 //   - after which they would meet again within a step, as gravity presses them together,
 //   - or shortly after both have been hit: within 2^-12 sqrt(s/g), and 2^-12 of s: contacts last
 //     so long (Luding and McNamara, Granular Matter 1 (1998) 113).
-// Where collisions are elastic, something else must take energy from the two: one of them is
+// Two that gravity presses together and that have no speed along their normal, but for a hop within
+// 2^-22 of the two, join whatever their restitution. Else, where collisions are elastic, something
+// else must take energy from the two: one of them is
 // carried already; or, where walls lose energy or there is drag, one is within 2^-16 of its
 // diameter of a wall and both have been hit within 2^-16 instead of 2^-12; or, where there is drag,
 // one is fixed and the other comes at less than 2^-12 sqrt(s g). A harder impact on a crowd is
@@ -63,18 +72,23 @@ bool bounces_out(const S& v, const S& a, const S& restitution, const S& resoluti
 /// Rules 1 and 3: how long a contact lasts, and how far its balls part, as a part of its distance
 /// and of the time of a fall through it.
 inline constexpr double kShortly = 0x1p-12;
-/// The same for elastic balls, whose energy no contact may take.
+/// The same for elastic balls, from which only something else takes energy.
 inline constexpr double kBriefly = 0x1p-16;
+/// The same where nothing takes any: a hop so short has 2^-49 of the energy of a fall through s.
+inline constexpr double kAtOnce = 0x1p-22;
 
 /// Rule 1, where what is bounced off is elastic: the hop is shorter than a contact of distance s.
 template <class S>
-bool barely_hops(const S& v, const S& a, const S& s) {
-  return a > 0 && 4 * v * v <= a * s * (kShortly * kShortly);
+bool barely_hops(const S& v, const S& a, const S& s, double part = kShortly) {
+  return a > 0 && 4 * v * v <= a * s * (part * part);
 }
 
-/// Rule 2: two that part by less than 2^this of their contact's distance in a tick stay together;
-/// ticks within which both have been hit before, where balls collapse.
-inline constexpr int kTogether = -95;
+/// Rule 1, too: so many units of rounding of the speed along the wall are no speed away from it.
+inline constexpr int kRounding = 64;
+
+/// Rule 2: two that part by less than 2^this of their contact's distance while something crosses
+/// the box stay together; ticks within which both have been hit before, where balls collapse.
+inline constexpr int kTogether = -40;
 inline constexpr double kCollapse = 0x1p15;
 
 /// Balls that touch are so near, as a part of their contact's distance: nearer than what

@@ -104,7 +104,8 @@ void write_report(const Report& report, const Simulation* with_state, const Text
       .put("ball_wall", measured.ball_wall)
       .end_object();
   writer.put("joint_impacts", measured.joint_impacts)
-      .put("resting_contacts", measured.resting_contacts);
+      .put("resting_contacts", measured.resting_contacts)
+      .put("jammed", measured.jammed);
   writer.key("energy")
       .begin_object()
       .put("initial", measured.energy_initial)

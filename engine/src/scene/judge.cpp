@@ -253,11 +253,11 @@ void judge_flights(const Scene& scene, Verdict& verdict) {
       verdict.add(Place("/continuation/flights") / i / "left",
                   fmt::format("must be the number of a fixed ball, got {}", *left));
     }
-    if (continuation.flights[i].carried > 6) {
-      verdict.add(
-          Place("/continuation/flights") / i / "carried",
-          fmt::format("must be 0, 1 for x, 2 for y, 3 for both, 4, 5 or 6 in a crowd, got {}",
-                      continuation.flights[i].carried));
+    if (continuation.flights[i].carried > 13) {
+      verdict.add(Place("/continuation/flights") / i / "carried",
+                  fmt::format("must be 0, 1 for x, 2 for y, 3 for both, 4 to 10 on walls that rub, "
+                              "11 to 13 in a crowd, got {}",
+                              continuation.flights[i].carried));
     }
   }
 }

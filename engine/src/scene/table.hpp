@@ -232,9 +232,10 @@ struct Table<SavedFlight> {
       key<Form::decimal>("spin", &SavedFlight::spin),
       key("left", &SavedFlight::left, "The fixed ball at which it began."),
       key("carried", &SavedFlight::carried,
-          "The axes along which something carries it: 1 for x, 2 for y, 3 for both; 4 in a crowd "
-          "that rests, 5 in one that moves, 6 joining it.")
-          .at_most(6)};
+          "The axes along which something carries it: 1 for x, 2 for y, 3 for both; 4 to 7 sliding "
+          "along a wall that rubs, 8 and 9 rolling, 10 turning in a corner; 11 in a crowd that "
+          "rests, 12 in one that moves, 13 joining it.")
+          .at_most(13)};
 };
 
 template <>

@@ -77,6 +77,9 @@ class Solver {
   /// the contacts of one joint impact share within a call.  `of_all`: those too that happened in a
   /// part of a step that is only shown, and that a later call would tell again.
   virtual void take_impacts(std::vector<Impact>& /*impacts*/, bool /*of_all*/) {}
+  /// Adds the walls that this ball slides along now, which are noted only when it ends: for a ball
+  /// that is removed, and at the end of a run.
+  virtual void tell_slides(std::size_t /*ball*/, std::vector<Impact>& /*impacts*/) const {}
 };
 
 }  // namespace carom

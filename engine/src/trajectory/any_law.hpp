@@ -48,6 +48,9 @@ class AnyLaw {
     return straight_ ? pair_time(r, v, s) : ballistic_law_.peg_wait(r, v, s, from_contact);
   }
   const S& pull(std::size_t axis) const { return damped_law_.pull(axis); }
+  const Vec<S>& pull() const { return damped_law_.pull(); }
+  AnyLaw rolling() const { return {rolling_part(pull()), S(2 * fading() / 3)}; }
+  AnyLaw under(const Vec<S>& pull) const { return {pull, damped_law_.rate}; }
   S push(std::size_t axis, const S& v) const { return damped_law_.push(axis, v); }
   const S& fading() const { return damped_law_.fading(); }
 

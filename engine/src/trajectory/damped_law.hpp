@@ -48,6 +48,7 @@ struct DampedLaw {
   const S& pull(std::size_t axis) const { return axis == 0 ? gravity.x : gravity.y; }
   const Vec<S>& pull() const { return gravity; }
   DampedLaw under(const Vec<S>& pull) const { return {pull, rate}; }
+  DampedLaw rolling() const { return {rolling_part(gravity), S(2 * rate / 3)}; }
   S push(std::size_t axis, const S& v) const { return multiply_add(S(-rate), v, pull(axis)); }
   const S& fading() const { return rate; }
 

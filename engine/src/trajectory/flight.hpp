@@ -23,8 +23,9 @@ struct Flight {
 // axis, h and v along that normal, and wall_arrival(), its normal velocity then; peg_wait(), when
 // it meets a fixed ball, where flights bend past it; pull(), what pulls it along an axis; push(),
 // how it accelerates there at some velocity, which then fades at the rate fading() and keeps its
-// sign; under(), the same law with another pull; bends(), whether flights are anything but
-// straight. kStretches: when() does something, and gives no less than it is given.
+// sign; under(), the same law with another pull; rolling(), of a disk that rolls along a wall;
+// bends(), whether flights are anything but straight. kStretches: when() does something, and gives
+// no less than it is given.
 
 /// The law of a ball that something carries along some axes: 1 for x, 2 for y.
 template <class Law>
@@ -33,6 +34,12 @@ Law carried(const Law& law, unsigned axes) {
   if ((axes & 1U) != 0) pull.x = 0;
   if ((axes & 2U) != 0) pull.y = 0;
   return law.under(pull);
+}
+
+/// What is left of a pull along the wall that a uniform disk rolls on: its spin takes a third.
+template <class S>
+Vec<S> rolling_part(const Vec<S>& pull) {
+  return {2 * pull.x / 3, 2 * pull.y / 3};
 }
 
 /// Uniform motion.
@@ -85,6 +92,7 @@ struct BallisticLaw {
   S fading() const { return S(0); }
   const Vec<S>& pull() const { return gravity; }
   BallisticLaw under(const Vec<S>& pull) const { return {pull}; }
+  BallisticLaw rolling() const { return {rolling_part(gravity)}; }
 
  private:
   S pull(std::size_t axis, int side) const { return side * pull(axis); }

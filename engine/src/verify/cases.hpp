@@ -31,14 +31,15 @@ struct Case {
 };
 
 // One family of cases each, in a file of its own.
-std::vector<Case> simultaneous_cases();  ///< cradle, rack, corner, tight, three-way
-std::vector<Case> timing_cases();        ///< pi, bullet, graze, far
-std::vector<Case> loss_cases();          ///< collapse, zeno, pile
-std::vector<Case> contact_cases();       ///< slope, triangle, heavy, sleeping, avalanche
-std::vector<Case> symmetry_cases();      ///< scaled, mirrored, relabelled, workers, stopped
-std::vector<Case> long_cases();          ///< dense, drift, ratio, reversal, rods
-std::vector<Case> fluid_cases();         ///< gas, speeds, cooling
-std::vector<Case> start_cases();         ///< start
+std::vector<Case> simultaneous_cases();   ///< cradle, rack, corner, tight, three-way
+std::vector<Case> timing_cases();         ///< pi, bullet, graze, far
+std::vector<Case> loss_cases();           ///< collapse, zeno, pile
+std::vector<Case> contact_cases();        ///< slope, triangle, heavy, sleeping, avalanche
+std::vector<Case> event_contact_cases();  ///< rolling, tilt, lattice, shaken
+std::vector<Case> symmetry_cases();       ///< scaled, mirrored, relabelled, workers, stopped
+std::vector<Case> long_cases();           ///< dense, drift, ratio, reversal, rods
+std::vector<Case> fluid_cases();          ///< gas, speeds, cooling
+std::vector<Case> start_cases();          ///< start
 
 /// The text of scenes/hard/NAME.json; empty where there is none.
 std::string_view hard_scene_text(std::string_view name);

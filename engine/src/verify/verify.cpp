@@ -20,9 +20,9 @@ using hard::Trial;
 
 std::vector<Case> all_cases() {
   std::vector<Case> all;
-  for (auto* const family :
-       {hard::simultaneous_cases, hard::timing_cases, hard::loss_cases, hard::contact_cases,
-        hard::symmetry_cases, hard::long_cases, hard::fluid_cases, hard::start_cases}) {
+  for (auto* const family : {hard::simultaneous_cases, hard::timing_cases, hard::loss_cases,
+                             hard::contact_cases, hard::event_contact_cases, hard::symmetry_cases,
+                             hard::long_cases, hard::fluid_cases, hard::start_cases}) {
     for (Case& each : family()) all.push_back(std::move(each));
   }
   return all;

@@ -5,6 +5,7 @@
 #include "solvers/event/groups/path_meeting_body.hpp"
 #include "solvers/event/motion_body.hpp"
 #include "solvers/event/motion_rest_body.hpp"
+#include "solvers/event/motion_roll_body.hpp"
 #include "solvers/event/neighbours_body.hpp"
 #include "solvers/event/tile_body.hpp"
 #include "solvers/event/tile_core_body.hpp"

@@ -39,6 +39,7 @@ struct Tally {
   std::uint64_t ball_ball = 0;
   std::uint64_t ball_wall = 0;
   std::uint64_t joint_impacts = 0;
+  std::uint64_t jammed = 0;
   std::uint64_t resting_contacts = 0;
   std::uint64_t islands_again = 0;  ///< domains
   double max_overlap = 0;
@@ -98,6 +99,7 @@ class Core {
   /// As in Solver: notes impacts, and gives those noted since the last call.
   virtual void record_impacts(bool /*wanted*/) {}
   virtual void take_impacts(std::vector<Impact>& /*impacts*/) {}
+  virtual void tell_slides(std::size_t /*ball*/, std::vector<Impact>& /*impacts*/) const {}
   /// Writes the tick of the clock and whether contacts can rest.
   virtual void save(Continuation& continuation) const = 0;
   /// Shows the flights in the order of the balls.

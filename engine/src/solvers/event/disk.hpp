@@ -12,6 +12,7 @@ using Index = std::uint32_t;
 inline constexpr Index kFirstMark = 0xfffffff0U;
 inline constexpr Index kUnknown = 0xfffffff0U;  ///< nothing before its time: look again then
 inline constexpr Index kCarry = 0xfffffff1U;    ///< the flight is long enough: it starts anew
+inline constexpr Index kSettles = 0xfffffff2U;  ///< what slides along a wall stops sliding
 inline constexpr Index kWalls = 0xfffffff4U;    ///< + 2 axis, + 1 for the upper one
 
 /// A ball's flight, and what is known of its end: one cache line in double.

@@ -15,12 +15,24 @@ class EnergyBook {
   void note(double lost) {
     if (lost > 0) noted_ += lost;
   }
+  /// The same where rounding of a place may have given some.
+  void correct(double lost) { noted_ += lost; }
   /// The impact stays, or is taken back.
   void keep() {
-    if (noted_ != 0) sum_.add(noted_);
+    if (noted_ != 0) {
+      sum_.add(noted_);
+      kept_.push_back(noted_);
+    }
     noted_ = 0;
   }
   void forget() { noted_ = 0; }
+  /// From here on what is kept can be taken back.
+  void begin_instant() { kept_.clear(); }
+  void take_back() {
+    for (const double lost : kept_) sum_.add(-lost);
+    kept_.clear();
+    noted_ = 0;
+  }
   /// Of a flight that has ended; a part of it that was counted too much is taken off.
   void add_drag(double lost) {
     if (lost != 0) sum_.add(lost);
@@ -30,6 +42,7 @@ class EnergyBook {
 
  private:
   double noted_ = 0;
+  std::vector<double> kept_;  ///< at the present instant
   ExactSum<double> sum_;
 };
 

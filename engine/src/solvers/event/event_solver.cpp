@@ -140,6 +140,7 @@ void EventSolver::count(Measurements& measurements) const {
   measurements.ball_ball += tally.ball_ball;
   measurements.ball_wall += tally.ball_wall;
   measurements.joint_impacts += tally.joint_impacts;
+  measurements.jammed += tally.jammed;
   measurements.resting_contacts += tally.resting_contacts;
   measurements.islands_again += tally.islands_again;
   measurements.max_overlap = std::max(measurements.max_overlap, tally.max_overlap);

@@ -46,6 +46,9 @@ class EventSolver final : public Solver {
   void take_impacts(std::vector<Impact>& impacts, bool /*of_all*/) override {
     core_->take_impacts(impacts);
   }
+  void tell_slides(std::size_t ball, std::vector<Impact>& impacts) const override {
+    core_->tell_slides(ball, impacts);
+  }
 
  private:
   void refuse_other_places(const Scene& scene) const;

@@ -14,12 +14,21 @@ namespace {
 
 constexpr int kDigitsOfDouble = 16;
 
-/// Whether a ball that lies still touches a fixed one.
+bool touches_wall(const Ball& ball, const Domain& domain) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double x = ball.position[axis];
+    if (domain.solid(axis) &&
+        (x == domain.lowest(axis, ball.radius) || x == domain.highest(axis, ball.radius))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool touches_fixed(const Ball& ball, const std::vector<Ball>& balls, const Domain& domain) {
-  if (ball.fixed || ball.velocity != Vec2(0, 0)) return false;
   return std::any_of(balls.begin(), balls.end(), [&](const Ball& other) {
     if (!other.fixed) return false;
-    const double reach = ball.radius + other.radius;
+    const double reach = (ball.radius + other.radius) * (1 + kTouching);
     return nearest_image(other.position - ball.position, domain).squaredNorm() <= reach * reach;
   });
 }
@@ -37,23 +46,11 @@ bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
   if (scene.effects.friction && rubs_in_corners(scene.effects.friction->walls, {g.x(), g.y()})) {
     return true;
   }
-  // Without losses only what lies still from the start rests, and what fits exactly between walls.
+  // Without losses only what touches from the start can rest, and what fits exactly between walls.
   const Domain domain(scene.box, scene.effects.walls.has_value());
-  const auto lies = [&](const Ball& ball, std::size_t axis) {
-    if (ball.fixed) return false;
-    return ball.velocity.x() == 0 || ball.velocity.y() == 0 ||
-           domain.lowest(axis, ball.radius) == domain.highest(axis, ball.radius);
-  };
   return std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
-    if (scene.effects.collisions && touches_fixed(ball, balls, domain)) return true;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const double x = ball.position[axis];
-      if (domain.solid(axis) && lies(ball, axis) &&
-          (x == domain.lowest(axis, ball.radius) || x == domain.highest(axis, ball.radius))) {
-        return true;
-      }
-    }
-    return false;
+    return !ball.fixed && (touches_wall(ball, domain) ||
+                           (scene.effects.collisions && touches_fixed(ball, balls, domain)));
   });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <type_traits>
+#include <vector>
 
 #include "contact/pair_friction.hpp"
 #include "contact/pair_impact.hpp"
@@ -24,10 +25,26 @@ struct Meeting {
 };
 
 // What carries a ball, beside the axes along which walls do.
-inline constexpr unsigned kLying = 3;    ///< in a corner, or on the very top of a fixed ball
-inline constexpr unsigned kResting = 4;  ///< in a crowd that rests
-inline constexpr unsigned kStepped = 5;  ///< in a crowd that moves
-inline constexpr unsigned kJoins = 6;    ///< in a crowd from its next step on
+inline constexpr unsigned kLying = 3;     ///< in a corner, or on the very top of a fixed ball
+inline constexpr unsigned kSlides = 4;    ///< along a wall that rubs: + 2 axis, + 1 if forwards
+inline constexpr unsigned kRolls = 8;     ///< along a wall: + axis
+inline constexpr unsigned kSpins = 10;    ///< in a corner that rubs
+inline constexpr unsigned kResting = 11;  ///< in a crowd that rests
+inline constexpr unsigned kStepped = 12;  ///< in a crowd that moves
+inline constexpr unsigned kJoins = 13;    ///< in a crowd from its next step on
+
+template <class S>
+Vec<double> in_double(const Vec<S>& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+
+/// The axes along which walls carry what is carried so: 1 for x, 2 for y.
+inline unsigned axes_of(unsigned carried) {
+  if (carried <= kLying) return carried;
+  if (carried < kRolls) return 1U << ((carried - kSlides) / 2);
+  if (carried < kSpins) return 1U << (carried - kRolls);
+  return carried == kSpins ? kLying : 0U;
+}
 
 /// Flights and impacts: pure functions of one flight or two.
 ///
@@ -41,8 +58,6 @@ class Motion {
   using Disk = typename P::Disk;
   using Kind = BasicKind<S>;
   using Rules = BasicRules<S>;
-  /// Contacts come to rest in double only.
-  static constexpr bool kCanRest = kIsDouble<S>;
 
   explicit Motion(Rules rules);
 
@@ -77,9 +92,13 @@ class Motion {
   }
   /// When a ball meets a wall, or has flown so far that its flight starts anew.
   /// May be later than it is where that is after `until`.
-  [[nodiscard]] Meeting<P> alone(const Disk& disk, At until = P::Clock::never()) const;
+  /// `spin`: at the start of the flight; null where balls have none.
+  [[nodiscard]] Meeting<P> alone(const Disk& disk, At until = P::Clock::never(),
+                                 const S* spin = nullptr) const;
   /// Starts the flight anew where it is at `now`.
-  void carry(Disk& disk, At now) const;
+  void carry(Disk& disk, At now, S* spin = nullptr) const;
+  /// The spin at `now` of a ball that had this one at the start of its flight.
+  [[nodiscard]] S spin_at(const Disk& disk, const S& spin, At now) const;
   /// `spin`: of the ball, counter-clockwise; null where balls do not rub.
   /// Gives the energy that the impact takes.
   double bounce(Disk& disk, S* spin, Index wall, At now) const;
@@ -94,8 +113,21 @@ class Motion {
   double rub(Disk& a, S& spin_a, Disk& b, S& spin_b, const Vec<S>& r) const;
   /// The same at a wall, that the ball comes to at the speed `arrival`.
   double rub_wall(Disk& disk, S& spin, std::size_t axis, int side, const S& arrival) const;
-  /// What drag takes from a flight till `now`.
-  [[nodiscard]] double drag_loss(const Disk& disk, At now) const;
+  /// What drag, and friction with the walls it slides along, take from a flight till `now`; `spin`:
+  /// at its start.
+  [[nodiscard]] double flight_loss(const Disk& disk, const S* spin, At now) const;
+  /// What a wall does to a ball that slides along it or turns against it.
+  struct Slide {
+    Index wall;
+    double impulse;     ///< along the normal
+    double tangential;  ///< that the ball loses, as in Impact
+    double lost;        ///< the energy that it takes
+  };
+  /// The slides of a flight till `now`: none, one, or two in a corner.
+  [[nodiscard]] std::vector<Slide> slides_of(const Disk& disk, const S* spin, At now) const;
+  [[nodiscard]] bool loses_in_flight() const {
+    return rules_.drag_rate > 0 || (rests_ && rules_.spins && rules_.wall_friction > 0);
+  }
 
   [[nodiscard]] const Rules& rules() const { return rules_; }
   [[nodiscard]] const typename P::Law& law() const { return law_; }
@@ -113,26 +145,28 @@ class Motion {
   /// Gravity or drag acts.
   [[nodiscard]] bool bends() const { return bends_; }
   /// Contacts come to rest, as impacts lose energy or balls lie still.
-  [[nodiscard]] bool rests() const { return kCanRest && rests_; }
-  /// Gravity can press balls together that lose energy.
-  [[nodiscard]] bool hops() const { return rests() && bends_; }
+  [[nodiscard]] bool rests() const { return rests_; }
+  /// Gravity presses balls together whose contacts can come to rest.
+  [[nodiscard]] bool hops() const { return rests_ && pull_ > 0; }
   /// Balls lose energy that nothing presses together.
-  [[nodiscard]] bool clusters() const { return rests() && !bends_; }
+  [[nodiscard]] bool clusters() const { return rests_ && !(pull_ > 0); }
+  /// Nothing loses energy along a normal: contacts rest only where nothing moves along it.
+  [[nodiscard]] bool elastic() const { return elastic_; }
+  /// Nothing loses energy at all.
+  [[nodiscard]] bool keeps_energy() const {
+    return elastic_ && rules_.friction == 0 && rules_.wall_friction == 0;
+  }
   /// It moves, and nothing carries it.
   [[nodiscard]] bool flies(const Disk& disk) const {
     return disk.kind < plain_kinds_ && !fixed(disk);
   }
 
   /// What a ball flies by.
-  [[nodiscard]] decltype(auto) law_of(const Disk& disk) const {
-    if constexpr (kCanRest) {
-      if (disk.kind < plain_kinds_) [[likely]] {
-        return typename P::Law(law_);
-      }
-      return event::carried(law_, std::min(kind(disk).carried, kLying));
-    } else {
-      return (law_);
+  [[nodiscard]] const typename P::Law& law_of(const Disk& disk) const {
+    if (disk.kind < plain_kinds_) [[likely]] {
+      return law_;
     }
+    return carried_laws_[kind(disk).carried];
   }
 
   /// The answer of the law that the ball flies by.
@@ -154,10 +188,10 @@ class Motion {
   [[nodiscard]] Time wall_meets(const Disk& disk, Index wall) const;
 
   /// Whether an impact of the two is one of ever more in ever less time; one may be fixed.
-  [[nodiscard]] bool squeezed(const Disk& a, const Disk& b, At now) const requires kCanRest;
+  [[nodiscard]] bool squeezed(const Disk& a, const Disk& b, At now) const;
 
   // Contacts that rest, where rests(): motion_rest_body.hpp.
-  /// Nothing accelerates it along these axes: 1 for x, 2 for y; from kLying on at all.
+  /// What carries it: the axes along which walls do, 1 for x, 2 for y, or one of the above.
   [[nodiscard]] unsigned carried(const Disk& disk) const { return kind(disk).carried; }
   void set_carried(Disk& disk, unsigned axes) const {
     disk.kind = static_cast<Index>(disk.kind % plain_kinds_ + axes * plain_kinds_);
@@ -168,29 +202,27 @@ class Motion {
   [[nodiscard]] bool stepped(const Disk& disk) const {
     return carried(disk) == kResting || carried(disk) == kStepped;
   }
-  /// Lets walls carry it where it touches them, is pressed to them and leaves them no more.
+  /// Lets walls carry it where it touches them, is pressed to them and leaves them no more; on one
+  /// that rubs it slides or rolls.
   /// Gives the energy of the hops that it no longer does.
-  double lean_on_walls(Disk& disk) const requires kCanRest;
+  double lean_on_walls(Disk& disk, S* spin) const;
+  /// At the end of its slide: the spin of what rolls.
+  void settle(const Disk& disk, S& spin) const;
   /// The same on the very top of a fixed ball.
-  double lean_on_peg(Disk& disk, const Disk& peg) const requires kCanRest;
-  /// Whether a wall that carries it slows it down by friction.
-  [[nodiscard]] bool slips(const Disk& disk, const S& spin) const requires kCanRest;
+  double lean_on_peg(Disk& disk, const Disk& peg) const;
   /// Rule 2: whether two that touch part no more: so slowly that the run cannot tell.
-  [[nodiscard]] bool stays_together(const Vec<S>& r, const Vec<S>& v,
-                                    const S& reach) const requires kCanRest;
-  [[nodiscard]] bool stay_together(const Disk& a, const Disk& b) const requires kCanRest {
+  [[nodiscard]] bool stays_together(const Vec<S>& r, const Vec<S>& v, const S& reach) const;
+  [[nodiscard]] bool stay_together(const Disk& a, const Disk& b) const {
     return stays_together(way({a.x, a.y}, {b.x, b.y}), {b.vx - a.vx, b.vy - a.vy},
                           S(kind(a).radius + kind(b).radius));
   }
   /// Whether both have been hit within the clock's resolution, or little more.
-  [[nodiscard]] bool collapses(const Disk& a, const Disk& b, At now) const requires kCanRest;
+  [[nodiscard]] bool collapses(const Disk& a, const Disk& b, At now) const;
   /// Rule 3: whether an impact of the two loses all, and they go on as a crowd; one of them may be
   /// fixed. r: from a to b.
-  [[nodiscard]] bool clings(const Disk& a, const Disk& b, const Vec<S>& r,
-                            At now) const requires kCanRest;
+  [[nodiscard]] bool clings(const Disk& a, const Disk& b, const Vec<S>& r, At now) const;
   /// The same for a ball of a crowd that comes to a wall at this speed.
-  [[nodiscard]] bool clings_to_wall(const Disk& disk, const S& speed,
-                                    At now) const requires kCanRest;
+  [[nodiscard]] bool clings_to_wall(const Disk& disk, const S& speed, At now) const;
   /// Crowds are stepped every 2^this ticks.
   [[nodiscard]] int step_shift() const { return step_shift_; }
   /// What gravity makes in a step.
@@ -198,20 +230,45 @@ class Motion {
   [[nodiscard]] const S& pull() const { return pull_; }
 
  private:
-  void add_carried_kinds() requires kCanRest;
+  void add_carried_kinds();
+  void add_carried_laws();
+  /// A ball on one wall that rubs, and how it moves along it.
+  struct Track {
+    std::size_t along;  ///< axis
+    int turns;          ///< a spin of 1 moves its lowest point by turns * radius along the axis
+    S grip;             ///< the most that friction accelerates it
+  };
+  [[nodiscard]] Track track(unsigned axes) const;
+  void grip(Disk& disk, S& spin) const;
+  double lean_in_corner(Disk& disk, const S& spin) const;
+  /// What two walls do to a ball that turns between them.
+  struct Corner {
+    Vec<S> load;  ///< on the wall of either axis, for a mass of 1
+    S slower;     ///< of the spin's size, in a second
+  };
+  [[nodiscard]] Corner corner(const Disk& disk, const S& spin) const;
+  [[nodiscard]] bool slides(const Disk& disk) const {
+    return carried(disk) >= kSlides && carried(disk) < kRolls;
+  }
+  /// Which way it slides: 1 or -1.
+  [[nodiscard]] int slide_sign(const Disk& disk) const { return carried(disk) % 2 == 1 ? 1 : -1; }
+  /// How long it slides on.
+  [[nodiscard]] S slide_wait(const Disk& disk, const S& spin) const;
+  /// When two meet whose speeds fade at different rates.
+  [[nodiscard]] S unlike_wait(const Disk& one, const Disk& other, const Relative<S>& relative,
+                              const S& reach, At until) const;
   /// Rule 1: whether what leaves at v, pressed back by a, stays.
-  [[nodiscard]] bool stays_down(const S& v, const S& a, const S& restitution,
-                                const S& reach) const requires kCanRest;
+  [[nodiscard]] bool stays_down(const S& v, const S& a, const S& restitution, const S& reach) const;
   [[nodiscard]] S meeting_wait(const Disk& earlier, const Disk& later, const S& reach,
-                               bool from_contact, At until) const requires kCanRest;
+                               bool from_contact, At until) const;
   /// Whether the step of their crowd has seen to it that they do not meet before the next one.
-  [[nodiscard]] bool stepped_together(const Disk& a, const Disk& b) const requires kCanRest;
+  [[nodiscard]] bool stepped_together(const Disk& a, const Disk& b) const;
   /// Something carries it that can: a wall, or a crowd.
-  [[nodiscard]] bool lies_on_something(const Disk& disk) const requires kCanRest;
+  [[nodiscard]] bool lies_on_something(const Disk& disk) const;
   /// Whether it all but touches a wall.
-  [[nodiscard]] bool is_at_wall(const Disk& disk, At now) const requires kCanRest;
+  [[nodiscard]] bool is_at_wall(const Disk& disk, At now) const;
   [[nodiscard]] bool just_hit(const Disk& disk, const S& reach, const S& speed, At now,
-                              const S& part) const requires kCanRest;
+                              const S& part) const;
   /// Of a ball that is stopped.
   [[nodiscard]] double moving_energy(const Disk& disk, const S& speed) const;
   [[nodiscard]] Rubbing<S> rubbing(const Disk& disk, const S& spin) const;
@@ -231,6 +288,8 @@ class Motion {
   TwoLanes farthest_{};
   bool bends_ = false;
   bool rests_ = false;
+  bool elastic_ = false;
+  std::vector<typename P::Law> carried_laws_;  ///< by what carries
   double largest_radius_ = 0;
   std::size_t plain_kinds_ = 1;  ///< without what carries them
   S pull_ = 0;                   ///< gravity's size

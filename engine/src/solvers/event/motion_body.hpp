@@ -39,12 +39,11 @@ Motion<P>::Motion(Rules rules)
   }
   largest_radius_ = static_cast<double>(largest);
   plain_kinds_ = rules_.kinds.size();
-  if constexpr (kCanRest) {
-    if (!rests_) return;
-    const Vec<S>& g = law_.pull();
-    pull_ = root(S(g.x * g.x + g.y * g.y));
-    add_carried_kinds();
-  }
+  if (!rests_) return;
+  const Vec<S>& g = law_.pull();
+  pull_ = root(S(g.x * g.x + g.y * g.y));
+  elastic_ = !can_rest(rules_);
+  add_carried_kinds();
 }
 
 template <class P>
@@ -84,9 +83,7 @@ template <class P>
 auto Motion<P>::pair_meets(const Disk& a, const Disk& b, bool from_contact,
                            [[maybe_unused]] At until) const -> Time {
   const S reach = kind(a).radius + kind(b).radius;
-  if constexpr (kCanRest) {
-    if (hops() && stepped_together(a, b)) return P::Clock::never();
-  }
+  if (hops() && stepped_together(a, b)) return P::Clock::never();
   if (bends_ && (fixed(a) || fixed(b))) {
     const Disk& ball = fixed(a) ? b : a;
     const Disk& peg = fixed(a) ? a : b;
@@ -98,12 +95,9 @@ auto Motion<P>::pair_meets(const Disk& a, const Disk& b, bool from_contact,
   const bool swap = b.start < a.start;
   const Disk& earlier = swap ? b : a;
   const Disk& later = swap ? a : b;
-  if constexpr (kCanRest) {
-    if (hops()) {
-      const Time ticks =
-          rules_.scale.ticks(meeting_wait(earlier, later, reach, from_contact, until));
-      return ticks == P::Clock::never() ? ticks : Time(later.start + ticks);
-    }
+  if (hops()) {
+    const Time ticks = rules_.scale.ticks(meeting_wait(earlier, later, reach, from_contact, until));
+    return ticks == P::Clock::never() ? ticks : Time(later.start + ticks);
   }
   const S elapsed = rules_.scale.seconds(later.start - earlier.start);
   Relative<S> relative = ask(later, [&](const auto& law) {
@@ -184,9 +178,14 @@ template <class P>
 
 // Most walls are too far to be met before `until`.
 template <class P>
-Meeting<P> Motion<P>::alone(const Disk& disk, At until) const {
+Meeting<P> Motion<P>::alone(const Disk& disk, At until, const S* spin) const {
   using std::sqrt;
   Meeting<P> first{disk.start + P::Clock::longest_flight(), kCarry};
+  if (spin != nullptr && (slides(disk) || carried(disk) == kSpins)) {
+    const Time slide = rules_.scale.ticks(
+        slides(disk) ? slide_wait(disk, *spin) : S(absolute(*spin) / corner(disk, *spin).slower));
+    if (slide != P::Clock::never()) first = {disk.start + slide, kSettles};
+  }
   S wait = never<S>();
   if (until != P::Clock::never()) {
     wait = rules_.scale.seconds(until - disk.start + 1);
@@ -226,7 +225,8 @@ Meeting<P> Motion<P>::alone(const Disk& disk, At until) const {
 }
 
 template <class P>
-void Motion<P>::carry(Disk& disk, At now) const {
+void Motion<P>::carry(Disk& disk, At now, S* spin) const {
+  if (spin != nullptr) *spin = spin_at(disk, *spin, now);
   const Flight<S> here = at(disk, now);
   const Vec<S> place = wrapped(here.position);
   disk.x = place.x;
@@ -247,7 +247,7 @@ double Motion<P>::bounce(Disk& disk, S* spin, Index wall, At now) const {
   S& v = axis == 0 ? disk.vx : disk.vy;
   const S arrival = law_of(disk).wall_arrival(axis, side, S(side * (x - stop)), S(side * v),
                                               rules_.scale.seconds(now - disk.start));
-  carry(disk, now);
+  carry(disk, now, spin);
   double lost = 0;
   if (spin != nullptr) lost = rub_wall(disk, *spin, axis, side, arrival);
   x = stop;
@@ -264,17 +264,6 @@ template <class P>
 double Motion<P>::moving_energy(const Disk& disk, const S& speed) const {
   return lost_to_restitution(static_cast<double>(speed), 0,
                              static_cast<double>(kind(disk).inverse_mass));
-}
-
-template <class P>
-double Motion<P>::drag_loss(const Disk& disk, At now) const {
-  if (fixed(disk) || now == disk.start) return 0;
-  const auto seconds = static_cast<double>(S(rules_.scale.seconds(now - disk.start)));
-  const DragLoss loss(rules_.drag_rate, seconds);
-  const auto& law = law_of(disk);
-  const double x = loss.along(static_cast<double>(disk.vx), static_cast<double>(S(law.pull(0))));
-  const double y = loss.along(static_cast<double>(disk.vy), static_cast<double>(S(law.pull(1))));
-  return (x + y) / static_cast<double>(kind(disk).inverse_mass);
 }
 
 template <class P>
@@ -318,8 +307,8 @@ template <class P>
 auto Motion<P>::strike(Disk& a, S* spin_a, Disk& b, S* spin_b, At now) const -> Strike {
   const Kind& ka = kind(a);
   const Kind& kb = kind(b);
-  if (!ka.fixed()) carry(a, now);
-  if (!kb.fixed()) carry(b, now);
+  if (!ka.fixed()) carry(a, now, spin_a);
+  if (!kb.fixed()) carry(b, now, spin_b);
   const Vec<S> r = way({a.x, a.y}, {b.x, b.y});
   double lost = 0;
   if (spin_a != nullptr) lost = rub(a, *spin_a, b, *spin_b, r);
@@ -327,13 +316,11 @@ auto Motion<P>::strike(Disk& a, S* spin_a, Disk& b, S* spin_b, At now) const -> 
   double restitution = rules_.restitution;
   Velocities<S> after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass,
                                     kb.inverse_mass, S(rules_.restitution));
-  if constexpr (kCanRest) {
-    if (clusters() && rules_.restitution < 1 &&
-        stays_together(r, after.b - after.a, S(ka.radius + kb.radius))) {
-      after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass,
-                          kb.inverse_mass, S(0));
-      restitution = 0;
-    }
+  if (clusters() && rules_.restitution < 1 &&
+      stays_together(r, after.b - after.a, S(ka.radius + kb.radius))) {
+    after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass, kb.inverse_mass,
+                        S(0));
+    restitution = 0;
   }
   a.vx = after.a.x;
   a.vy = after.a.y;

@@ -11,7 +11,7 @@
 namespace carom::event {
 
 template <class P>
-void Motion<P>::add_carried_kinds() requires kCanRest {
+void Motion<P>::add_carried_kinds() {
   for (unsigned axes = 1; axes <= kJoins; ++axes) {
     for (std::size_t k = 0; k < plain_kinds_; ++k) {
       Kind kind = rules_.kinds[k];
@@ -19,6 +19,7 @@ void Motion<P>::add_carried_kinds() requires kCanRest {
       rules_.kinds.push_back(kind);
     }
   }
+  add_carried_laws();
   if (!(pull_ > 0)) return;
   const S fall = root(S(2 * S(largest_radius_) / pull_));
   const Time span = rules_.scale.ticks(S(kStep * fall));
@@ -27,14 +28,13 @@ void Motion<P>::add_carried_kinds() requires kCanRest {
 }
 
 template <class P>
-bool Motion<P>::stays_down(const S& v, const S& a, const S& restitution,
-                           const S& reach) const requires kCanRest {
+bool Motion<P>::stays_down(const S& v, const S& a, const S& restitution, const S& reach) const {
   if (restitution < 1) return bounces_out(v, a, restitution, rules_.scale.resolution());
-  return can_rest(rules_) && barely_hops(v, a, reach);
+  return barely_hops(v, a, reach, elastic_ ? kAtOnce : kShortly);
 }
 
 template <class P>
-double Motion<P>::lean_on_walls(Disk& disk) const requires kCanRest {
+double Motion<P>::lean_on_walls(Disk& disk, S* spin) const {
   const Vec<S>& g = law_.pull();
   unsigned axes = 0;
   double lost = 0;
@@ -47,7 +47,9 @@ double Motion<P>::lean_on_walls(Disk& disk) const requires kCanRest {
     S& v = axis == 0 ? disk.vx : disk.vy;
     const S away = a < 0 ? v : S(-v);
     if (x != stop || away < 0) continue;
-    if (away > 0 && !stays_down(away, absolute(a), S(rules_.wall_restitution), S(2 * radius))) {
+    const S along = absolute(axis == 0 ? disk.vy : disk.vx);
+    const bool rounding = !(away > kRounding * std::numeric_limits<S>::epsilon() * along);
+    if (!rounding && !stays_down(away, absolute(a), S(rules_.wall_restitution), S(2 * radius))) {
       continue;
     }
     lost += moving_energy(disk, v);
@@ -55,11 +57,44 @@ double Motion<P>::lean_on_walls(Disk& disk) const requires kCanRest {
     axes |= axis == 0 ? 1U : 2U;
   }
   set_carried(disk, axes);
+  if (spin == nullptr || !(rules_.wall_friction > 0) || axes == 0) return lost;
+  if (axes == kLying) {
+    if (*spin == 0) return lost;
+    // Where it climbs the one, the other carries it no more.
+    const Vec<S> load = corner(disk, *spin).load;
+    axes = !(load.y > 0) ? 1U : 2U;
+    if (load.x > 0 && load.y > 0) axes = kSpins;
+    set_carried(disk, axes);
+    if (axes == kSpins) return lost;
+  }
+  grip(disk, *spin);
+  return lost + lean_in_corner(disk, *spin);
+}
+
+// What slides turns, and may drive itself into another wall: both rub it until it turns no more.
+template <class P>
+double Motion<P>::lean_in_corner(Disk& disk, const S& spin) const {
+  if (!slides(disk) || spin == 0) return 0;
+  const std::size_t axis = track(axes_of(carried(disk))).along;
+  if (!room_.solid(axis)) return 0;
+  const S& radius = kind(disk).radius;
+  const S& x = axis == 0 ? disk.x : disk.y;
+  S& v = axis == 0 ? disk.vx : disk.vy;
+  const S push = law_of(disk).push(axis, v);
+  const S stop = push < 0 ? room_.lowest(axis, radius) : room_.highest(axis, radius);
+  const S away = push < 0 ? v : S(-v);
+  if (push == 0 || x != stop || away < 0) return 0;
+  if (!stays_down(away, absolute(push), S(rules_.wall_restitution), S(2 * radius))) return 0;
+  const Vec<S> load = corner(disk, spin).load;
+  if (!(load.x > 0 && load.y > 0)) return 0;
+  const double lost = moving_energy(disk, v);
+  v = 0;
+  set_carried(disk, kSpins);
   return lost;
 }
 
 template <class P>
-double Motion<P>::lean_on_peg(Disk& disk, const Disk& peg) const requires kCanRest {
+double Motion<P>::lean_on_peg(Disk& disk, const Disk& peg) const {
   const Vec<S> r = way({peg.x, peg.y}, {disk.x, disk.y});
   const Vec<S> v{disk.vx, disk.vy};
   const Vec<S>& g = law_.pull();
@@ -74,34 +109,21 @@ double Motion<P>::lean_on_peg(Disk& disk, const Disk& peg) const requires kCanRe
 }
 
 template <class P>
-bool Motion<P>::slips(const Disk& disk, const S& spin) const requires kCanRest {
-  if (rules_.wall_friction == 0 || !(pull_ > 0)) return false;
-  const S rolling = kind(disk).radius * spin;
-  const unsigned axes = carried(disk);
-  if (axes == 0 || axes > 2) return false;
-  // along the wall, seen with the wall on the ball's right
-  const Vec<S>& g = law_.pull();
-  const S along = axes == 2 ? (g.y < 0 ? disk.vx : S(-disk.vx)) : (g.x < 0 ? S(-disk.vy) : disk.vy);
-  return absolute(S(along + rolling)) > kStill * speed_of_step_;
-}
-
-template <class P>
-bool Motion<P>::stays_together(const Vec<S>& r, const Vec<S>& v,
-                               const S& reach) const requires kCanRest {
+bool Motion<P>::stays_together(const Vec<S>& r, const Vec<S>& v, const S& reach) const {
   const S distance = root(S(r.x * r.x + r.y * r.y));
   return absolute(sharp_dot(r, v)) / distance * rules_.scale.resolution() <=
-         reach * std::ldexp(1.0, kTogether);
+         reach * std::ldexp(1.0, kTogether - P::Clock::bits());
 }
 
 template <class P>
-bool Motion<P>::collapses(const Disk& a, const Disk& b, At now) const requires kCanRest {
+bool Motion<P>::collapses(const Disk& a, const Disk& b, At now) const {
   const S longest = rules_.scale.resolution() * kCollapse;
   return rules_.restitution < 1 && rules_.scale.seconds(now - a.start) <= longest &&
          rules_.scale.seconds(now - b.start) <= longest;
 }
 
 template <class P>
-bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const requires kCanRest {
+bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const {
   const bool of_crowds = (stepped(a) || fixed(a)) && (stepped(b) || fixed(b));
   if (!of_crowds || (a.start != b.start && !fixed(a) && !fixed(b))) return false;
   return near(way({a.x, a.y}, {b.x, b.y}), S(kind(a).radius + kind(b).radius), S(kNear));
@@ -109,19 +131,19 @@ bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const requires kC
 
 template <class P>
 bool Motion<P>::just_hit(const Disk& disk, const S& reach, const S& speed, At now,
-                         const S& part) const requires kCanRest {
+                         const S& part) const {
   if (fixed(disk)) return true;
   const S age = rules_.scale.seconds(now - disk.start);
   return age * age * pull_ <= part * part * reach && speed * age <= part * reach;
 }
 
 template <class P>
-bool Motion<P>::lies_on_something(const Disk& disk) const requires kCanRest {
+bool Motion<P>::lies_on_something(const Disk& disk) const {
   return !fixed(disk) && carried(disk) != 0;
 }
 
 template <class P>
-bool Motion<P>::is_at_wall(const Disk& disk, At now) const requires kCanRest {
+bool Motion<P>::is_at_wall(const Disk& disk, At now) const {
   if (fixed(disk)) return false;
   const Vec<S> at = wrapped(place(disk, now));
   for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
@@ -132,7 +154,8 @@ bool Motion<P>::is_at_wall(const Disk& disk, At now) const requires kCanRest {
 }
 
 template <class P>
-bool Motion<P>::squeezed(const Disk& a, const Disk& b, At now) const requires kCanRest {
+bool Motion<P>::squeezed(const Disk& a, const Disk& b, At now) const {
+  if (elastic_) return false;
   const bool loses = rules_.restitution < 1 || lies_on_something(a) || lies_on_something(b);
   const bool on_fixed = fixed(a) || fixed(b);
   const S reach = kind(a).radius + kind(b).radius;
@@ -140,7 +163,7 @@ bool Motion<P>::squeezed(const Disk& a, const Disk& b, At now) const requires kC
     return just_hit(a, reach, speed, now, S(part)) && just_hit(b, reach, speed, now, S(part));
   };
   const S still = 0;  // most have not been hit of late, whatever their speed
-  if (!both(loses || on_fixed ? kShortly : kBriefly, still)) return false;
+  if (!both(kShortly, still)) return false;
   const Vec<S> v = velocity(b, now) - velocity(a, now);
   const S speed = -sharp_dot(way(place(a, now), place(b, now)), v) / reach;
   if (loses) return both(kShortly, speed);
@@ -149,32 +172,35 @@ bool Motion<P>::squeezed(const Disk& a, const Disk& b, At now) const requires kC
   if (on_fixed && rules_.drag_rate > 0 && speed * speed <= S(kShortly * kShortly) * reach * pull_) {
     return both(kShortly, speed);
   }
-  return both(kBriefly, speed) && (rules_.drag_rate > 0 || rules_.wall_restitution < 1) &&
+  if (!both(kBriefly, speed)) return false;
+  return (rules_.drag_rate > 0 || rules_.wall_restitution < 1) &&
          (is_at_wall(a, now) || is_at_wall(b, now));
 }
 
 template <class P>
-bool Motion<P>::clings(const Disk& a, const Disk& b, const Vec<S>& r,
-                       At now) const requires kCanRest {
+bool Motion<P>::clings(const Disk& a, const Disk& b, const Vec<S>& r, At now) const {
   const Vec<S> v = velocity(b, now) - velocity(a, now);
   const S distance = root(S(r.x * r.x + r.y * r.y));
   const S speed = -sharp_dot(r, v) / distance;
   // What comes straight down on a fixed ball is a ball on a floor.
   if (fixed(b) && !crowded(a) && straight_up(-r, v, law_.pull())) return false;
   if (fixed(a) && !crowded(b) && straight_up(r, v, law_.pull())) return false;
-  if (squeezed(a, b, now)) return true;
-  if (rules_.restitution == 1 && !lies_on_something(a) && !lies_on_something(b)) return false;
-  const auto carried = [this](const Disk& disk) { return fixed(disk) || this->carried(disk) != 0; };
-  if ((crowded(a) && carried(b)) || (carried(a) && crowded(b))) return speed <= speed_of_step_;
   const auto pull_on = [this](const Disk& disk) {
     return fixed(disk) ? Vec<S>{S(0), S(0)} : law_of(disk).pull();
   };
   const S pressing = -sharp_dot(r, pull_on(b) - pull_on(a)) / distance;
+  if (barely_hops(speed, pressing, S(kind(a).radius + kind(b).radius), kAtOnce)) return true;
+  if (elastic_) return false;
+  if (squeezed(a, b, now)) return true;
+  if (rules_.restitution == 1 && !lies_on_something(a) && !lies_on_something(b)) return false;
+  const auto carried = [this](const Disk& disk) { return fixed(disk) || this->carried(disk) != 0; };
+  if ((crowded(a) && carried(b)) || (carried(a) && crowded(b))) return speed <= speed_of_step_;
   return pressing > 0 && speed * pull_ <= pressing * speed_of_step_;
 }
 
 template <class P>
-bool Motion<P>::clings_to_wall(const Disk& disk, const S& speed, At now) const requires kCanRest {
+bool Motion<P>::clings_to_wall(const Disk& disk, const S& speed, At now) const {
+  if (elastic_) return barely_hops(speed, pull_, S(2 * kind(disk).radius), kAtOnce);
   return speed <= speed_of_step_ ||
          just_hit(disk, S(2 * kind(disk).radius), speed, now, S(kShortly));
 }
@@ -182,7 +208,7 @@ bool Motion<P>::clings_to_wall(const Disk& disk, const S& speed, At now) const r
 // One of the two may be carried: then they accelerate as seen from each other.
 template <class P>
 auto Motion<P>::meeting_wait(const Disk& earlier, const Disk& later, const S& reach,
-                             bool from_contact, At until) const -> S requires kCanRest {
+                             bool from_contact, At until) const -> S {
   const auto& law = law_of(earlier);
   const S elapsed = rules_.scale.seconds(later.start - earlier.start);
   Relative<S> relative = relative_at_later_start(law, flight(earlier), elapsed, flight(later));
@@ -196,6 +222,9 @@ auto Motion<P>::meeting_wait(const Disk& earlier, const Disk& later, const S& re
     const S speed = absolute(relative.v.x) + absolute(relative.v.y);
     const S far = (reach + (speed + pull_ * wait / 2) * wait) * 1.0625;
     if (relative.r.x * relative.r.x + relative.r.y * relative.r.y > far * far) return never<S>();
+  }
+  if (law.fading() != law_of(later).fading()) {
+    return unlike_wait(earlier, later, relative, reach, until);
   }
   if (pull.x == 0 && pull.y == 0) return law.when(pair_time(relative.r, relative.v, reach));
   return law.under(pull).peg_wait(relative.r, relative.v, reach, from_contact);

@@ -34,6 +34,7 @@ class Clock<double> {
   using Time = Ticks;
   using At = Ticks;  ///< a time that is handed over
   static constexpr int kBits = 55;
+  static constexpr int bits() { return kBits; }
   static constexpr int kSlowest = 900;  ///< binary orders of magnitude that a double has room for
 
   static constexpr Time never() { return kNever; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "contact/dissipation.hpp"
 #include "contact/impact_log.hpp"
 #include "contact/joint_impact.hpp"
+#include "contact/rest_rules.hpp"
 #include "solvers/event/agenda.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/energy_book.hpp"
@@ -28,16 +30,27 @@ namespace carom::event {
 // So many impacts within so short a time are none of losses that add up, nor of balls that are
 // squeezed: those are 4e5 at most for a restitution of 0.9999.
 inline constexpr std::uint64_t kManyImpacts = 1000000;
+/// The same for elastic balls that gravity presses together, which nothing slows down: within 2^-10
+/// of the time in which something crosses the box.
+inline constexpr std::uint64_t kManyElastic = 256;
+inline constexpr int kElasticSpan = 10;
 inline constexpr std::int64_t kShortTicks = std::int64_t{1} << 30;
+/// Impacts of one ball at one instant of which later ones are not resolved together with the
+/// earlier ones.
+inline constexpr int kManyAtOnce = 256;
+/// How often balls are taken as jammed before time goes on.
+inline constexpr int kMostJams = 1000;
+inline constexpr int kMostDoublings = 12;
 
 /// What has happened so far.
 struct Counts {
   std::uint64_t ball_ball = 0;
   std::uint64_t ball_wall = 0;
-  std::uint64_t renewals = 0;          ///< squares left: neighbours listed anew
-  std::uint64_t scans = 0;             ///< searches for the next impact of a ball
-  std::uint64_t vain = 0;              ///< of them, because its partner had met another
-  std::uint64_t joint_impacts = 0;     ///< of several contacts at one instant
+  std::uint64_t renewals = 0;       ///< squares left: neighbours listed anew
+  std::uint64_t scans = 0;          ///< searches for the next impact of a ball
+  std::uint64_t vain = 0;           ///< of them, because its partner had met another
+  std::uint64_t joint_impacts = 0;  ///< of several contacts at one instant
+  std::uint64_t jammed = 0;         ///< contacts without a gap, with speed across: see JointReport
   std::uint64_t resting_contacts = 0;  ///< came to rest
   std::uint64_t wakes = 0;             ///< crowds at rest that were hit
   std::uint64_t steps = 0;             ///< of crowds
@@ -50,6 +63,7 @@ struct Counts {
     scans += other.scans;
     vain += other.vain;
     joint_impacts += other.joint_impacts;
+    jammed += other.jammed;
     resting_contacts += other.resting_contacts;
     wakes += other.wakes;
     steps += other.steps;
@@ -80,7 +94,6 @@ class Tile {
   using Time = typename P::Time;
   using At = typename P::At;
   using Disk = typename P::Disk;
-  static constexpr bool kCanRest = Motion<P>::kCanRest;
 
   explicit Tile(BasicRules<S> rules);
   /// Of some of `population` balls that others are of, too.
@@ -123,10 +136,10 @@ class Tile {
   [[nodiscard]] Costs costs() const;
 
   /// Where contacts rest: who rests on this ball, or carries it, moves again.
-  void wake_around(Index i, At now) requires kCanRest;
+  void wake_around(Index i, At now);
   /// The energy that gravity has given to crowds ahead of what they will have fallen at their next
   /// step.
-  [[nodiscard]] double given_ahead(At now) const requires kCanRest;
+  [[nodiscard]] double given_ahead(At now) const;
 
   /// From now on every impact is noted, with its time since the present era began and the places of
   /// its balls in this tile; null: no longer.  The log must outlive it.
@@ -136,6 +149,7 @@ class Tile {
   /// Whether several pairs are looked at side by side.
   static constexpr bool kInLanes = kIsDouble<S>;
   [[nodiscard]] S* spin(Index i) { return spins_.empty() ? nullptr : &spins_[i]; }
+  [[nodiscard]] const S* spin(Index i) const { return spins_.empty() ? nullptr : &spins_[i]; }
   using Entry = typename Agenda<typename P::Clock>::Entry;
 
   struct Instant;
@@ -181,8 +195,11 @@ class Tile {
     std::vector<char> counted;     ///< by contact: it is one of the impacts that are counted
     double lost = 0;
   };
-  void log_crowd(const Gathering& crowd, const CrowdLog& log, At now) requires kCanRest;
+  void log_crowd(const Gathering& crowd, const CrowdLog& log, At now);
   Impact& log_contact(At now, Index i, Index j, const Vec<S>& r);
+  void log_slides(Index i, At now);
+  /// What has slid by now goes into the log, where no impact of an instant is taken back any more.
+  void keep_slides();
 
   // Whom a ball meets next: tile_search_body.hpp, tile_lanes_body.hpp.
   void scan(Index i, At now);
@@ -203,44 +220,105 @@ class Tile {
   void unlink(Index i);
 
   // Impacts of one instant that share a ball: tile_instant_body.hpp.
-  void note_tie(At at) const { ties_.insert(at); }
-  [[nodiscard]] bool tied(At now);
+  /// A ball as it was before the impacts of the present instant.
+  struct Past {
+    Index ball;
+    Disk disk;
+    S spin;
+    Index left;
+  };
+  void begin_instant();
+  /// Counts an impact of the ball at the present instant; gives how many there are by now.
+  int count_hit(Index i) {
+    if (hits_[i]++ == 0) hit_.push_back(i);
+    return hits_[i];
+  }
+  [[nodiscard]] bool is_past(Index i) const { return is_past_[i] != 0; }
+  void remember(Index i);
+  /// Takes back all impacts of the present instant, and gives the balls that they had.
+  [[nodiscard]] std::vector<Index> take_back();
+  /// Whether the ball, looked at only now, meets at this instant one that has been hit at it; then
+  /// both are resolved.
+  [[nodiscard]] bool is_late(Index i, At now);
+  [[nodiscard]] bool comes_nearer(Index i, Index partner, At now) const;
+  void note_tie(At at, Index i, Index other) const {
+    ties_.insert({at, i});
+    if (other != i) ties_.insert({at, other});
+  }
+  [[nodiscard]] bool tied(Index i, Index partner, At now);
   void meet_jointly(Index i, Index partner, At now);
+  /// All that touches at this instant, over balls that can move, from these on; takes from `seeds`
+  /// those that it has found.
+  [[nodiscard]] Instant touching(std::vector<Index>& seeds, At now);
+  /// `looked_for`: the balls whose next impact is unknown.
+  void resolve_group(Instant& instant, const std::vector<Index>& looked_for, At now);
+  void note_left(const Instant& instant, At now);
   [[nodiscard]] JointReport resolve(Instant& instant,
                                     JointLog* log) const;  // tile_friction_body.hpp
   /// Gives the energy that friction takes.
   double rub_jointly(Instant& instant, JointLog* log) const;
   void add_member(Instant& instant, Index i, At now) const;
   void add_contacts(Instant& instant, std::size_t member, At now);
+  void add_contact(Instant& instant, std::size_t member, Index j, At now, bool meets);
+  [[nodiscard]] bool is_linked(Index i, Index j) const;
+  /// Whether this contact was one of those resolved together at this instant: to resolve them again
+  /// would change nothing.
+  [[nodiscard]] bool is_resolved(Index i, Index j) const;
+  /// So near are balls that are taken as jammed, in parts of their contact's distance.
+  [[nodiscard]] double jam_gap() const {
+    return kTouching * std::ldexp(1.0, std::min(jams_ - 1, kMostDoublings));
+  }
+  /// What is taken as jammed in vain loses what its contacts have of speed.
+  [[nodiscard]] bool gives_up() const { return jams_ > kMostDoublings; }
   [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;
 
   // Contacts that rest: tile_rest_body.hpp.
-  void start_resting(At now) requires kCanRest;
-  void lean(Index i) requires kCanRest;
-  void schedule_step(At now) requires kCanRest;
-  void step_if_it_slips(Index i) requires kCanRest;
-  [[nodiscard]] bool is_of_crowd(const Instant& instant, At now) const requires kCanRest;
+  void start_resting(At now);
+  void lean(Index i);
+  void schedule_step(At now);
+  void settle(Index i, At now);
+  [[nodiscard]] bool is_of_crowd(const Instant& instant, At now) const;
   // Crowds: tile_crowd_body.hpp.
-  [[nodiscard]] bool hit_crowd(Index i, Index partner, At now) requires kCanRest;
-  void hit_crowd(Gathering& crowd, At now) requires kCanRest;
-  void step_crowds(At now) requires kCanRest;
-  void step_crowd(Gathering& crowd, At now) requires kCanRest;
+  [[nodiscard]] bool is_hit_of_crowd(Index i, Index partner, At now) const;
+  [[nodiscard]] bool hit_crowd(Index i, Index partner, At now);
+  void hit_crowds(std::vector<std::vector<Index>> hits, At now);
+  void settle_pressed();
+  void hit_crowd(Gathering& crowd, At now);
+  void step_crowds(At now);
+  void step_crowd(Gathering& crowd, At now);
   void hold_still(const Gathering& crowd, std::vector<std::size_t>& set,
-                  const std::vector<char>& carries,
-                  std::vector<char>& moves) const requires kCanRest;
+                  const std::vector<char>& carries, std::vector<char>& moves) const;
   struct CrowdEnergy {
-    S stepped;
-    S ahead;
-    S others;
-    [[nodiscard]] S all() const { return stepped - ahead + others; }
+    double stepped;
+    double ahead;
+    double others;
+    [[nodiscard]] double all() const { return stepped - ahead + others; }
   };
-  [[nodiscard]] CrowdEnergy energy_of(const Gathering& crowd,
-                                      const S& span) const requires kCanRest;
-  void note_loss(const Gathering& crowd, const S& had, const S& span) requires kCanRest;
-  void slow_down(Gathering& crowd, const S& had, const S& span) const requires kCanRest;
-  void join(Gathering& crowd, Index i, At now) requires kCanRest;
-  void gather(Gathering& crowd, At now) requires kCanRest;
-  void fly_on(Gathering& crowd, At now) requires kCanRest;
+  [[nodiscard]] CrowdEnergy energy_of(const Gathering& crowd, double span) const;
+  void note_loss(const Gathering& crowd, double had, double span);
+  void put_at(Gathering& crowd, Vec<S>& at, std::size_t axis, const S& stop,
+              const S& inverse_mass) const;
+  void put_on_walls(Gathering& crowd) const;
+  bool keep_energy(Gathering& crowd, double had, double span) const;
+  void press(Gathering& crowd, double span, double goal, std::vector<double>& loads) const;
+  void hold_on(Gathering& crowd, double span, double goal, std::vector<double>& loads) const;
+  /// What of a crowd meets at an instant.
+  struct Hits {
+    std::vector<char> stays;    ///< by member: it is of the crowd afterwards
+    std::vector<char> counted;  ///< by contact: it is an impact
+    double restitution = 1;
+    double fastest = 0;
+    double held = 0;  ///< energy of a jammed group that nothing of it can move with
+    bool bounces = false;
+    std::uint64_t walls = 0;
+    std::uint64_t balls = 0;
+  };
+  [[nodiscard]] double approach(const Gathering& crowd, std::size_t contact) const;
+  [[nodiscard]] Hits hits_of(const Gathering& crowd, At now) const;
+  void reflect_crowd(Gathering& crowd, Hits& hits);
+  void join(Gathering& crowd, Index i, At now);
+  void gather(Gathering& crowd, At now);
+  void fly_on(Gathering& crowd, At now);
 
   std::shared_ptr<const Motion<P>> shared_motion_;
   const Motion<P>& motion_ = *shared_motion_;
@@ -253,23 +331,37 @@ class Tile {
   Counts counts_;
   Turns turns_;
   EnergyBook book_;
-  std::vector<Disk> counted_;  ///< the flights that `turns_` and drag have note of; empty: none
-  Costs sampled_;              ///< of the events that were timed
-  double crowd_seconds_ = 0;   ///< of all steps and impacts of crowds
-  std::uint64_t samples_ = 0;  ///< events that were timed
-  std::uint32_t untimed_ = 0;  ///< events before the next one that is
+  std::vector<Disk> counted_;  ///< the flights that `turns_` and losses have note of; empty: none
+  std::vector<S> counted_spins_;
+  Costs sampled_;                       ///< of the events that were timed
+  double crowd_seconds_ = 0;            ///< of all steps and impacts of crowds
+  std::uint64_t samples_ = 0;           ///< events that were timed
+  std::uint32_t untimed_ = 0;           ///< events before the next one that is
   Time next_step_ = P::Clock::never();  ///< of crowds
   Time stepped_ = 0;                    ///< when the last one was, or the balls were taken
   std::vector<int> number_;             ///< in the crowd that is looked at; -1
   ImpactLog* log_ = nullptr;            ///< null: impacts are not noted
+  std::vector<Impact> slid_;            ///< slides that ended at this instant, if impacts are noted
   double overlap_ = 0;                  ///< at the last impact of two
   Time reached_ = 0;                    ///< everything up to here has happened
   std::vector<Index> left_;  ///< the fixed ball a flight began at; only where balls fall on pegs
-  mutable std::set<Time> ties_;  ///< when two impacts may share a ball
-  Time instant_ = 0;             ///< of the last impact
-  std::size_t at_once_ = 0;      ///< impacts at that instant
-  Time watched_from_ = 0;        ///< impacts are counted from here
-  std::uint64_t watched_ = 0;    ///< since then
+  mutable std::set<std::pair<Time, Index>> ties_;  ///< when impacts may share a ball, and which
+  Time instant_ = 0;                               ///< of the last impact
+  std::vector<Past> past_;                         ///< the balls that were hit at that instant
+  std::vector<char> is_past_;                      ///< by ball
+  std::vector<std::pair<Index, Index>> linked_;  ///< what met at that instant, after a blow or not
+  std::vector<std::pair<Index, Index>>
+      resolved_;                                  ///< contacts of the joint impacts at that instant
+  std::vector<std::pair<Index, Index>> pressed_;  ///< what is to come to rest at that instant
+  Counts past_counts_;                            ///< before that instant
+  std::size_t past_log_ = 0;
+  std::size_t at_once_ = 0;    ///< impacts at that instant
+  std::vector<int> hits_;      ///< the same by ball
+  std::vector<Index> hit_;     ///< balls of which there are any
+  Time watched_from_ = 0;      ///< impacts are counted from here
+  std::uint64_t watched_ = 0;  ///< since then
+  int jams_ = 0;               ///< since then: too many impacts
+  int jammed_at_ = 0;          ///< what `jams_` was when it last ended
 };
 
 }  // namespace carom::event

@@ -47,22 +47,35 @@ void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<In
     left_.clear();
   }
   ties_.clear();
-  instant_ = now;
+  instant_ = Time(-1);  // an impact at this very moment begins an instant
   at_once_ = 0;
   watched_from_ = now;
   watched_ = 0;
+  jams_ = 0;
+  jammed_at_ = 0;
   next_step_ = P::Clock::never();
   stepped_ = now;
-  if constexpr (kCanRest) start_resting(now);
+  is_past_.assign(n, 0);
+  hits_.assign(n, 0);
+  hit_.clear();
+  past_.clear();
+  linked_.clear();
+  resolved_.clear();
+  pressed_.clear();
+  slid_.clear();
+  start_resting(now);
   counted_.clear();
-  bool counts = motion_.rules().drag_rate > 0;
+  bool counts = motion_.loses_in_flight();
   for (std::size_t axis = 0; axis < 2; ++axis) {
     turns_[axis].clear();
     if (!motion_.rules().falls_round(axis)) continue;
     turns_[axis].resize(n, 0);
     counts = true;
   }
-  if (counts) counted_.assign(disks_.begin(), disks_.end());
+  if (counts) {
+    counted_.assign(disks_.begin(), disks_.end());
+    counted_spins_ = spins_;
+  }
   reached_ = now;
   const Domain& domain = motion_.rules().domain;
   start_agenda(now, (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]));
@@ -114,29 +127,40 @@ void Tile<P>::advance_to(At until) {
                               std::span<const Entry> after_next) {
     fetch(entries, next, after_next);
   };
-  if constexpr (kCanRest) {
-    while (motion_.hops()) {
-      const Time at = std::min(next_step_, Time(until));
-      if (const Entry* next = agenda_.first(at, wanted, prepare)) {
-        const Entry entry = *next;
-        agenda_.drop_first();
-        if (wanted(entry)) take(entry);
-      } else if (next_step_ <= until) {
-        next_step_ = P::Clock::never();
-        stepped_ = at;
-        step_crowds(at);
-      } else {
-        reached_ = until;
-        return;
-      }
+  while (motion_.hops()) {
+    const Time at = std::min(next_step_, Time(until));
+    const Entry* next = agenda_.first(at, wanted, prepare);
+    if (!pressed_.empty() && !(next != nullptr && next->time == instant_)) {
+      settle_pressed();
+      continue;
+    }
+    if (next != nullptr) {
+      const Entry entry = *next;
+      agenda_.drop_first();
+      if (wanted(entry)) take(entry);
+    } else if (next_step_ <= until) {
+      next_step_ = P::Clock::never();
+      stepped_ = at;
+      step_crowds(at);
+    } else {
+      reached_ = until;
+      keep_slides();
+      return;
     }
   }
-  while (const Entry* next = agenda_.first(until, wanted, prepare)) {
+  for (;;) {
+    const Entry* next = agenda_.first(until, wanted, prepare);
+    if (!pressed_.empty() && !(next != nullptr && next->time == instant_)) {
+      settle_pressed();
+      continue;
+    }
+    if (next == nullptr) break;
     const Entry entry = *next;
     agenda_.drop_first();
     if (wanted(entry)) take(entry);
   }
   reached_ = until;
+  keep_slides();
 }
 
 // Asks for the memory that the events of the next buckets will look at, in the order in which one
@@ -186,8 +210,13 @@ void Tile<P>::rebase(At by) {
   // Long ago is long ago, however many eras: the ticks of all of them are no number.
   watched_from_ = watched_from_ >= by ? Time(watched_from_ - by) : Time(Time(-1) - kShortTicks);
   instant_ = instant_ >= by ? Time(instant_ - by) : Time(-1);
-  std::set<Time> ties;
-  for (auto at = ties_.lower_bound(by); at != ties_.end(); ++at) ties.insert(*at - by);
+  for (Past& past : past_) {
+    if (past.disk.start != P::Clock::ever()) past.disk.start -= by;
+  }
+  std::set<std::pair<Time, Index>> ties;
+  for (auto at = ties_.lower_bound({by, 0}); at != ties_.end(); ++at) {
+    ties.insert({at->first - by, at->second});
+  }
   ties_ = std::move(ties);
   agenda_.rebase(by);
 }

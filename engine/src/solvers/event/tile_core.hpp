@@ -47,6 +47,7 @@ class TileCore final : public Core {
   void visit_flights(const std::function<void(const SavedFlight&)>& visit) const override;
   void record_impacts(bool wanted) override;
   void take_impacts(std::vector<Impact>& impacts) override;
+  void tell_slides(std::size_t ball, std::vector<Impact>& impacts) const override;
 
  private:
   using S = typename P::Scalar;
@@ -89,8 +90,9 @@ class TileCore final : public Core {
   /// flights that are over, and in the present ones if so asked.
   [[nodiscard]] Turns turns(bool of_present_flights) const;
   [[nodiscard]] ExactSum<double> lost() const;
-  /// What drag has taken from the present flights till now; in domains, since they began.
-  [[nodiscard]] double present_drag() const;
+  /// What drag and sliding have taken from the present flights till now; in domains, since they
+  /// began.
+  [[nodiscard]] double present_losses() const;
   void start();
   void take_flights(const Continuation& from, const std::string& source);
   void collect_log();

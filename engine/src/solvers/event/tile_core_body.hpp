@@ -29,7 +29,7 @@ TileCore<P>::TileCore(CoreStart start)
     : domain_(start.domain),
       effects_(std::move(start.effects)),
       balls_(std::move(start.balls)),
-      rests_(start.rests && Motion<P>::kCanRest),
+      rests_(start.rests),
       scale_(keeps_its_clock(start.from, balls_)
                  ? P::Clock::of_tick(*start.from.tick)
                  : typename P::Clock(crossing_time(domain_, effects_, balls_))),
@@ -238,7 +238,9 @@ bool TileCore<P>::suits_domains() const {
 template <class P>
 auto TileCore<P>::choose_way() const -> Way {
   if (suits_domains()) return Way::domains;
-  return workers_ > 1 ? Way::groups : Way::tile;
+  // Where nothing takes energy and balls touch, one event loop sees what jams.
+  const bool jams = rests_ && !loses_energy(effects_) && !effects_.drag;
+  return workers_ > 1 && !jams ? Way::groups : Way::tile;
 }
 
 template <class P>
@@ -335,11 +337,12 @@ void TileCore<P>::land() {
   before_.ball_ball += counts().ball_ball;
   before_.ball_wall += counts().ball_wall;
   before_.joint_impacts += counts().joint_impacts;
+  before_.jammed += counts().jammed;
   before_.resting_contacts += counts().resting_contacts;
   before_.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
   costs_before_ += costs();
   lost_before_ = lost();
-  lost_before_.add(present_drag());
+  lost_before_.add(present_losses());
   if constexpr (kShares) {
     if (domains_) again_ += domains_->solved_again();
   }
@@ -419,14 +422,14 @@ void TileCore<P>::start() {
   if (log_.wanted) tile_->note_in(&log_);
   flights_.clear();
   // What was taken from these flights before has been counted already.
-  lost_before_.add(-present_drag());
+  lost_before_.add(-present_losses());
 }
 
 // In domains nothing but drag loses energy where it acts, and without gravity it takes the same
 // part of every ball's, whatever its impacts.
 template <class P>
-double TileCore<P>::present_drag() const {
-  if (!effects_.drag || !(effects_.drag->rate > 0)) return 0;
+double TileCore<P>::present_losses() const {
+  if (!motion().loses_in_flight()) return 0;
   if constexpr (kShares) {
     if (domains_) {
       const double eras = now_.era - domains_began_.era;
@@ -436,16 +439,19 @@ double TileCore<P>::present_drag() const {
     }
   }
   double sum = 0;
-  for (std::size_t i = 0; i < slot_.size(); ++i) sum += motion().drag_loss(flight(i), now_.ticks);
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    const auto turning = spin(i);
+    sum += motion().flight_loss(flight(i), turning ? &*turning : nullptr, now_.ticks);
+  }
   return sum;
 }
 
 template <class P>
 double TileCore<P>::dissipated() const {
-  return lost().rounded() + present_drag();
+  return lost().rounded() + present_losses();
 }
 
-// But for the drag of the present flights.
+// But for what the present flights have lost.
 template <class P>
 ExactSum<double> TileCore<P>::lost() const {
   ExactSum<double> sum = lost_before_;
@@ -485,6 +491,20 @@ void TileCore<P>::take_impacts(std::vector<Impact>& impacts) {
   collect_log();
   impacts.insert(impacts.end(), noted_.begin(), noted_.end());
   noted_.clear();
+}
+
+template <class P>
+void TileCore<P>::tell_slides(std::size_t ball, std::vector<Impact>& impacts) const {
+  const auto spin = this->spin(ball);
+  if (!spin || !motion().loses_in_flight()) return;
+  const Disk disk = flight(ball);
+  const auto slides = motion().slides_of(disk, &*spin, now_.ticks);
+  const double era = static_cast<double>(scale_.seconds(P::Clock::era())) * now_.era;
+  const double seconds = static_cast<double>(scale_.seconds(now_.ticks)) + era;
+  for (const auto& slide : slides) {
+    const Vec<double> at = in_double(motion().wrapped(motion().place(disk, now_.ticks)));
+    impacts.push_back(impact_of<P>(slide, at, ball, seconds, balls_[ball].radius));
+  }
 }
 
 // From the numbers and times of the tile to those of the run.
@@ -528,10 +548,8 @@ void TileCore<P>::add(const Ball& ball) {
 
 template <class P>
 void TileCore<P>::remove(std::size_t ball) {
-  if constexpr (Motion<P>::kCanRest) {
-    if (tile_) tile_->wake_around(slot_[ball], now_.ticks);
-    if (groups_) groups_->wake_around(ball, now_.ticks);
-  }
+  if (tile_) tile_->wake_around(slot_[ball], now_.ticks);
+  if (groups_) groups_->wake_around(ball, now_.ticks);
   land();
   balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(ball));
   flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(ball));
@@ -548,17 +566,29 @@ void TileCore<P>::remove(std::size_t ball) {
   start();
 }
 
-// Flights start again, too, where what carries balls at rest comes or goes.
+// Flights start again, too, where what carries balls at rest comes or goes, or rubs otherwise.
 template <class P>
 void TileCore<P>::set(const Domain& domain, const Effects& effects, bool bends) {
+  const auto rubs = [](const Effects& of) {
+    return of.friction ? std::pair(of.friction->balls, of.friction->walls) : std::pair(0.0, 0.0);
+  };
+  const auto lies = [this] {
+    for (std::size_t i = 0; i < slot_.size(); ++i) {
+      if (motion().carried(flight(i)) != 0) return true;
+    }
+    return false;
+  };
   bends = bends || (rests_ && (has_walls(effects) != has_walls(effects_) ||
-                               has_collisions(effects) != has_collisions(effects_)));
+                               has_collisions(effects) != has_collisions(effects_) ||
+                               (rubs(effects) != rubs(effects_) && lies())));
   const Turns with_present = bends ? turns(true) : Turns{};
   land();
   if (bends) {
     turns_before_ = with_present;
+    for (std::size_t i = 0; i < slot_.size() && log_.wanted; ++i) tell_slides(i, noted_);
     for (Disk& disk : flights_) {
-      if (disk.start != P::Clock::ever()) motion().carry(disk, now_.ticks);
+      const auto i = static_cast<std::size_t>(&disk - flights_.data());
+      if (disk.start != P::Clock::ever()) motion().carry(disk, now_.ticks, &spins_[i]);
     }
     std::fill(left_.begin(), left_.end(), kUnknown);
     std::fill(carried_.begin(), carried_.end(), 0U);
@@ -578,7 +608,9 @@ void TileCore<P>::look(std::size_t first, std::span<Ball> balls) const {
     const auto v = motion().velocity(disk, now_.ticks);
     ball.position = {static_cast<double>(at.x), static_cast<double>(at.y)};
     ball.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
-    if (const auto spin = this->spin(first + k)) ball.spin = static_cast<double>(*spin);
+    if (const auto spin = this->spin(first + k)) {
+      ball.spin = static_cast<double>(motion().spin_at(disk, *spin, now_.ticks));
+    }
   }
 }
 
@@ -603,10 +635,8 @@ std::vector<ExactPosition> TileCore<P>::exact_positions() const {
 
 template <class P>
 double TileCore<P>::energy_ahead() const {
-  if constexpr (Motion<P>::kCanRest) {
-    if (tile_) return tile_->given_ahead(now_.ticks);
-    if (groups_) return groups_->given_ahead(now_.ticks);
-  }
+  if (tile_) return tile_->given_ahead(now_.ticks);
+  if (groups_) return groups_->given_ahead(now_.ticks);
   return 0;
 }
 
@@ -616,6 +646,7 @@ Tally TileCore<P>::tally() const {
   tally.ball_ball = before_.ball_ball + counts().ball_ball;
   tally.ball_wall = before_.ball_wall + counts().ball_wall;
   tally.joint_impacts = before_.joint_impacts + counts().joint_impacts;
+  tally.jammed = before_.jammed + counts().jammed;
   tally.resting_contacts = before_.resting_contacts + counts().resting_contacts;
   tally.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
   tally.islands_again = again_;

@@ -13,29 +13,47 @@ void Tile<P>::watch(At now) {
   if (now != instant_) {
     instant_ = now;
     at_once_ = 0;
-    if (now - watched_from_ > kShortTicks) {
+    begin_instant();
+    Time span = kShortTicks;
+    if (motion_.elastic()) {
+      span = P::Clock::span(1, P::Clock::bits() - kElasticSpan);
+    }
+    if (now - watched_from_ > span) {
       watched_from_ = now;
       watched_ = 0;
+      jams_ = 0;
     }
   }
   ++watched_;
   const std::size_t balls = std::max(population_, disks_.size());
-  if (++at_once_ > 1000 + 100 * balls || watched_ > kManyImpacts + 1000 * balls) {
+  const bool elastic = motion_.elastic();
+  const std::uint64_t many = elastic ? kManyElastic + 16 * balls : kManyImpacts + 1000 * balls;
+  if (++at_once_ <= 1000 + 100 * balls && watched_ <= many) return;
+  // Balls that are squeezed in a gap of next to nothing are resolved as if there were none; each
+  // time that this does not end it, of a gap twice as wide.
+  jams_ = jams_ > 0 ? jams_ + 1 : std::clamp(jammed_at_, 1, kMostDoublings);
+  jammed_at_ = jams_;
+  if (jams_ > kMostJams) {
     throw std::runtime_error(
         "impacts follow each other without end: such contacts are for method \"overlap\"");
   }
+  at_once_ = 0;
+  watched_ = 0;
 }
 
 // What drag takes follows from the flight alone.
 template <class P>
 void Tile<P>::end_flight(Index i, At now) {
-  if (motion_.rules().drag_rate > 0) {
-    book_.add_drag(motion_.drag_loss(counted_[i], now));
+  if (motion_.loses_in_flight()) {
+    const S* was = counted_spins_.empty() ? nullptr : &counted_spins_[i];
+    book_.add_drag(motion_.flight_loss(counted_[i], was, now));
     // An impact that did nothing leaves it on the flight it was on.
-    if (disks_[i].start != now) book_.add_drag(-motion_.drag_loss(disks_[i], now));
+    if (disks_[i].start != now) book_.add_drag(-motion_.flight_loss(disks_[i], spin(i), now));
+    if (log_ != nullptr) log_slides(i, now);
   }
   count_turns(i, now);
   counted_[i] = disks_[i];
+  if (!counted_spins_.empty()) counted_spins_[i] = spins_[i];
 }
 
 template <class P>
@@ -70,7 +88,7 @@ void Tile<P>::meet_alone(Index i, Index partner, At now) {
     book_.note(motion_.bounce(disks_[i], spin(i), partner, now));
     ++counts_.ball_wall;
     if (!left_.empty()) left_[i] = kUnknown;
-    if constexpr (kCanRest) lean(i);
+    lean(i);
     return;
   }
   const typename Motion<P>::Strike strike =
@@ -83,81 +101,130 @@ void Tile<P>::meet_alone(Index i, Index partner, At now) {
     left_[i] = motion_.fixed(disks_[partner]) ? partner : kUnknown;
     left_[partner] = kUnknown;
   }
-  if constexpr (kCanRest) {
-    lean(i);
-    lean(partner);
-    if (motion_.clusters() && motion_.stay_together(disks_[i], disks_[partner])) {
-      ++counts_.resting_contacts;
+  lean(i);
+  lean(partner);
+  if (motion_.clusters() && motion_.stay_together(disks_[i], disks_[partner])) {
+    ++counts_.resting_contacts;
+  }
+}
+
+// Those that share a ball become one crowd; what lies straight on a fixed ball, or is of none, is
+// looked at alone.
+template <class P>
+void Tile<P>::settle_pressed() {
+  const auto now = instant_;
+  std::vector<std::pair<Index, Index>> left = std::exchange(pressed_, {});
+  const auto moves = [this](Index k) { return k < kFirstMark && !motion_.fixed(disks_[k]); };
+  std::vector<std::vector<Index>> crowds;
+  std::vector<std::vector<std::pair<Index, Index>>> others;
+  while (!left.empty()) {
+    std::vector<std::pair<Index, Index>> group{left.back()};
+    left.pop_back();
+    std::vector<Index> balls;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      for (const Index ball : {group[k].first, group[k].second}) {
+        if (!moves(ball) || std::find(balls.begin(), balls.end(), ball) != balls.end()) continue;
+        balls.push_back(ball);
+        const auto shares = [ball](const auto& pair) {
+          return pair.first == ball || pair.second == ball;
+        };
+        std::copy_if(left.begin(), left.end(), std::back_inserter(group), shares);
+        left.erase(std::remove_if(left.begin(), left.end(), shares), left.end());
+      }
+    }
+    if (motion_.hops() && std::any_of(group.begin(), group.end(), [&](auto& pair) {
+          return is_hit_of_crowd(pair.first, pair.second, now);
+        })) {
+      crowds.push_back(std::move(balls));
+    } else {
+      others.push_back(std::move(group));
     }
   }
+  hit_crowds(std::move(crowds), now);
+  for (const auto& group : others) {
+    for (const auto& [i, partner] : group) {
+      meet_alone(i, partner, now);
+      book_.keep();
+    }
+    for (const auto& [i, partner] : group) {
+      if (moves(partner)) look_again(partner, now);
+      look_again(i, now);
+    }
+  }
+}
+
+// Whether a ball approaches what it meets by more than rounding.
+template <class P>
+bool Tile<P>::comes_nearer(Index i, Index partner, At now) const {
+  const Vec<S> mine = motion_.velocity(disks_[i], now);
+  const auto size = [](const Vec<S>& v) { return S(absolute(v.x) + absolute(v.y)); };
+  const S noise = kRounding * std::numeric_limits<S>::epsilon();
+  if (partner >= kWalls) {
+    const S& speed = partner - kWalls < 2 ? mine.x : mine.y;
+    return (partner % 2 == kWalls % 2 ? S(-speed) : speed) > noise * size(mine);
+  }
+  const Vec<S> other = motion_.velocity(disks_[partner], now);
+  const Vec<S> r = motion_.way(motion_.place(disks_[i], now), motion_.place(disks_[partner], now));
+  const S approach = -sharp_dot(r, other - mine) / root(S(r.x * r.x + r.y * r.y));
+  return approach > noise * (size(mine) + size(other));
 }
 
 template <class P>
 void Tile<P>::meet(Index i, At now) {
   const Index partner = disks_[i].partner;
-  forget(i);
   if (partner == kUnknown) {
     ++counts_.vain;
+    if (now == instant_ && !past_.empty() && is_late(i, now)) return;
+    forget(i);
     scan(i, now);
     announce(i);
     return;
   }
+  forget(i);
   if (partner == kCarry) {
     if (!left_.empty()) left_[i] = kUnknown;
-    motion_.carry(disks_[i], now);
+    motion_.carry(disks_[i], now, spin(i));
     look_again(i, now);
+    return;
+  }
+  if (partner == kSettles) {
+    settle(i, now);
     return;
   }
   watch(now);
   const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
   if (ball) forget(partner);
-  if constexpr (kCanRest) {
-    if (motion_.hops() && hit_crowd(i, partner, now)) return;
+  const bool again = is_past(i) || (ball && is_past(partner));
+  // What has been resolved, and is only pressed together from then on, waits for the impacts of the
+  // instant to be over.
+  const int hits = std::max(count_hit(i), ball ? count_hit(partner) : 0);
+  if (again && (is_resolved(i, partner) || hits > kManyAtOnce || !comes_nearer(i, partner, now))) {
+    pressed_.push_back({i, partner});
+    return;
   }
-  bool jointly = tied(now);
-  if constexpr (kCanRest) {
-    jointly = jointly ||
-              (motion_.clusters() && ball && motion_.collapses(disks_[i], disks_[partner], now));
-  }
-  if (jointly) {
+  if (again || jams_ || tied(i, partner, now) ||
+      (motion_.clusters() && ball && motion_.collapses(disks_[i], disks_[partner], now))) {
     meet_jointly(i, partner, now);
     return;
   }
-  const Disk before = disks_[i];
-  const Disk partner_before = ball ? disks_[partner] : Disk{};
-  const S spin_before = spins_.empty() ? S(0) : spins_[i];
-  const S partner_spin_before = spins_.empty() || !ball ? S(0) : spins_[partner];
-  const Counts counts = counts_;
-  const Index left = left_.empty() ? kUnknown : left_[i];
-  const Index partner_left = left_.empty() || !ball ? kUnknown : left_[partner];
+  if (motion_.hops() && hit_crowd(i, partner, now)) return;
+  remember(i);
+  if (ball) remember(partner);
+  const std::size_t first = past_.size() - (ball ? 2 : 1);
   meet_alone(i, partner, now);
   if (ball) look_again(partner, now);
   look_again(i, now);
-  if (disks_[i].meets != now && !(ball && disks_[partner].meets == now)) {
-    book_.keep();
-    if (log_ != nullptr) {
-      log_alone(i, partner, {before, spin_before}, {partner_before, partner_spin_before}, now);
-    }
+  // The impact is passed on at once: it is taken back, and all that touches is resolved together.
+  if (disks_[i].meets == now || (ball && disks_[partner].meets == now)) {
+    meet_jointly(i, partner, now);
     return;
   }
-  // The blow is passed on at once: take it back, and resolve all that touches together.
-  counts_ = counts;
-  book_.forget();
-  const auto take_back = [this](Index k, const Disk& flight, const S& had) {
-    unlink(k);
-    const Time leaves = disks_[k].leaves;
-    disks_[k] = flight;
-    disks_[k].leaves = leaves;
-    if (!spins_.empty()) spins_[k] = had;
-    forget(k);
-  };
-  take_back(i, before, spin_before);
-  if (ball) take_back(partner, partner_before, partner_spin_before);
-  if (!left_.empty()) {
-    left_[i] = left;
-    if (ball) left_[partner] = partner_left;
+  book_.keep();
+  const Past& was = past_[first];
+  const Past& partner_was = past_.back();
+  if (log_ != nullptr) {
+    log_alone(i, partner, {was.disk, was.spin}, {partner_was.disk, partner_was.spin}, now);
   }
-  meet_jointly(i, partner, now);
 }
 
 template <class P>

@@ -96,7 +96,7 @@ void Tile<P>::look_in_lanes_by(const Law& law, Index i, const Index* others, std
     const WholeLanes tie = ((at == meets) | (free & (at == soonest))) & (at < never);
     if (any(tie)) {
       for (std::uint32_t l = 0; l < kLanes; ++l) {
-        if (tie[l] != 0 && (free[l] != 0 || disk[l]->partner != i)) note_tie(at[l]);
+        if (tie[l] != 0 && (free[l] != 0 || disk[l]->partner != i)) note_tie(at[l], i, ball[l]);
       }
     }
     const WholeLanes sooner = free & (at < soonest);
@@ -108,7 +108,7 @@ void Tile<P>::look_in_lanes_by(const Law& law, Index i, const Index* others, std
   for (std::uint32_t l = 1; l < kLanes; ++l) partner = soonest[l] == first ? partners[l] : partner;
   const bool found = first < best.time;
   const WholeLanes firsts = (soonest == all(first)) & all(std::int64_t{found ? -1 : 0});
-  if (several(firsts)) note_tie(first);
+  if (several(firsts)) note_tie(first, i, i);
   best.time = found ? first : best.time;
   best.partner = found ? static_cast<Index>(partner) : best.partner;
 }

@@ -8,6 +8,26 @@
 
 namespace carom::event {
 
+/// A slide along a wall as a contact that does not bounce; `at`: where ball i is then.
+template <class P>
+Impact impact_of(const typename Motion<P>::Slide& slide, const Vec<double>& at, std::size_t i,
+                 double seconds, double radius) {
+  const std::size_t axis = (slide.wall - kWalls) / 2;
+  const bool upper = (slide.wall - kWalls) % 2 == 1;
+  Impact impact;
+  impact.time = seconds;
+  impact.kind = ImpactKind::rest;
+  impact.a = i;
+  impact.wall = side_of(axis, upper);
+  impact.position = {at.x, at.y};
+  impact.normal[axis] = upper ? 1 : -1;
+  impact.distance = radius;
+  impact.impulse = slide.impulse;
+  impact.tangential = slide.tangential;
+  impact.energy_lost = slide.lost;
+  return impact;
+}
+
 /// A contact of ball i with ball j, or with a wall: everything but what it carries.
 template <class P>
 Impact& Tile<P>::log_contact(At now, Index i, Index j, const Vec<S>& r) {
@@ -18,7 +38,9 @@ Impact& Tile<P>::log_contact(At now, Index i, Index j, const Vec<S>& r) {
   impact.time = static_cast<double>(motion_.rules().scale.seconds(now));
   impact.a = i;
   impact.position = {static_cast<double>(at.x), static_cast<double>(at.y)};
-  impact.normal = {static_cast<double>(S(r.x / length)), static_cast<double>(S(r.y / length))};
+  // No component is -0.
+  impact.normal = {static_cast<double>(S(r.x / length)) + 0.0,
+                   static_cast<double>(S(r.y / length)) + 0.0};
   if (j >= kWalls) {
     impact.kind = ImpactKind::wall;
     impact.wall = side_of((j - kWalls) / 2, (j - kWalls) % 2 == 1);
@@ -72,10 +94,36 @@ void Tile<P>::log_alone(Index i, Index partner, const Before& was_a, const Befor
   impact.energy_lost = lost_to_restitution(approach, kept * approach, inverse_a + inverse_b);
   if (spins_.empty()) return;
   impact.tangential = change.dot(t) / inverse_a;
-  double surface = static_cast<double>(S(motion_.kind(was_a.disk).radius * was_a.spin));
-  if (moves) surface += static_cast<double>(S(motion_.kind(was_b.disk).radius * was_b.spin));
+  double surface = static_cast<double>(
+      S(motion_.kind(was_a.disk).radius * motion_.spin_at(was_a.disk, was_a.spin, now)));
+  if (moves)
+    surface += static_cast<double>(
+        S(motion_.kind(was_b.disk).radius * motion_.spin_at(was_b.disk, was_b.spin, now)));
   impact.energy_lost +=
       lost_to_friction(was.dot(t) - surface, impact.tangential, inverse_a + inverse_b);
+}
+
+// Of the flight that ends, or of the one that goes on after all, as its end was taken back.
+template <class P>
+void Tile<P>::log_slides(Index i, At now) {
+  const auto seconds = static_cast<double>(motion_.rules().scale.seconds(now));
+  if (disks_[i].start != now) {
+    std::erase_if(slid_,
+                  [&](const Impact& slide) { return slide.a == i && slide.time == seconds; });
+    return;
+  }
+  const S* was = counted_spins_.empty() ? nullptr : &counted_spins_[i];
+  for (const auto& slide : motion_.slides_of(counted_[i], was, now)) {
+    const Vec<S> at = motion_.wrapped(motion_.place(counted_[i], now));
+    slid_.push_back(impact_of<P>(slide, in_double(at), i, seconds,
+                                 static_cast<double>(motion_.kind(disks_[i]).radius)));
+  }
+}
+
+template <class P>
+void Tile<P>::keep_slides() {
+  if (log_ != nullptr) log_->impacts.insert(log_->impacts.end(), slid_.begin(), slid_.end());
+  slid_.clear();
 }
 
 // One line for each time that a contact is hit; friction, which comes first, with its first.
@@ -114,7 +162,7 @@ void Tile<P>::log_joint(const Instant& instant, const JointLog& joint, At now) {
 
 // What presses without being counted is a contact at rest; the first line has what all lost.
 template <class P>
-void Tile<P>::log_crowd(const Gathering& crowd, const CrowdLog& log, At now) requires kCanRest {
+void Tile<P>::log_crowd(const Gathering& crowd, const CrowdLog& log, At now) {
   const std::uint64_t event = log_->impacts.size() + 1;
   const auto counted = std::count(log.counted.begin(), log.counted.end(), 1);
   double lost = log.lost;

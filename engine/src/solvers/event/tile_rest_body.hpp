@@ -9,15 +9,15 @@
 namespace carom::event {
 
 template <class P>
-void Tile<P>::start_resting(At now) requires kCanRest {
+void Tile<P>::start_resting(At now) {
   if (!motion_.hops()) return;
   number_.assign(disks_.size(), -1);
   for (Index i = 0; i < disks_.size(); ++i) {
     Disk& disk = disks_[i];
     if (motion_.fixed(disk)) continue;
-    if (motion_.carried(disk) < kLying && disk.start == now) {
-      book_.note(motion_.lean_on_walls(disk));
-      step_if_it_slips(i);
+    const unsigned carried = motion_.carried(disk);
+    if (carried != kLying && carried < kResting && disk.start == now) {
+      book_.note(motion_.lean_on_walls(disk, spin(i)));
     }
     if (motion_.carried(disk) >= kStepped) schedule_step(now);
   }
@@ -25,7 +25,7 @@ void Tile<P>::start_resting(At now) requires kCanRest {
 }
 
 template <class P>
-void Tile<P>::schedule_step(At now) requires kCanRest {
+void Tile<P>::schedule_step(At now) {
   if (next_step_ != P::Clock::never() || !(motion_.pull() > 0)) return;
   const int shift = motion_.step_shift();
   next_step_ = P::Clock::span(P::Clock::steps(now, shift), shift);
@@ -36,27 +36,29 @@ void Tile<P>::schedule_step(At now) requires kCanRest {
 }
 
 template <class P>
-void Tile<P>::lean(Index i) requires kCanRest {
+void Tile<P>::lean(Index i) {
   Disk& disk = disks_[i];
   if (!motion_.hops() || motion_.fixed(disk)) return;
   const unsigned before = motion_.carried(disk);
-  book_.note(motion_.lean_on_walls(disk));
+  book_.note(motion_.lean_on_walls(disk, spin(i)));
   const Index peg = left_[i];
   if (peg != kUnknown) book_.note(motion_.lean_on_peg(disk, disks_[peg]));
-  if ((motion_.carried(disk) & ~before) != 0) ++counts_.resting_contacts;
-  step_if_it_slips(i);
+  if ((axes_of(motion_.carried(disk)) & ~axes_of(before)) != 0) ++counts_.resting_contacts;
 }
 
-// What rubs along a wall is slowed down step by step, until it rolls.
+// What slid along a wall rolls from now on, or slides the other way.
 template <class P>
-void Tile<P>::step_if_it_slips(Index i) requires kCanRest {
-  if (spins_.empty() || !motion_.slips(disks_[i], spins_[i])) return;
-  motion_.set_carried(disks_[i], kJoins);
-  schedule_step(disks_[i].start);
+void Tile<P>::settle(Index i, At now) {
+  if (!left_.empty()) left_[i] = kUnknown;
+  motion_.carry(disks_[i], now, spin(i));
+  motion_.settle(disks_[i], spins_[i]);
+  lean(i);
+  book_.keep();
+  look_again(i, now);
 }
 
 template <class P>
-void Tile<P>::wake_around(Index i, At now) requires kCanRest {
+void Tile<P>::wake_around(Index i, At now) {
   // Only collisions let one ball carry another, and only they keep a grid to look into.
   if (!motion_.hops() || !motion_.rules().collisions) return;
   const Vec<S> here = motion_.wrapped(motion_.place(disks_[i], now));

@@ -62,16 +62,16 @@ void Tile<P>::look_singly(Index i, Index other, At now, Meeting<P>& best) const 
                 : motion_.pair_meets(disks_[i], disk);
   if (at == P::Clock::never()) return;
   if (at < now) at = now;
-  if (at == disk.meets && disk.partner != i) note_tie(at);
+  if (at == disk.meets && disk.partner != i) note_tie(at, i, other);
   if (!(at < disk.meets)) return;
-  if (at == best.time) note_tie(at);
+  if (at == best.time) note_tie(at, i, other);
   if (at < best.time) best = {at, other};
 }
 
 template <class P>
 void Tile<P>::look_at_peg(Index i, Index peg, Meeting<P>& best) const {
   const Time at = motion_.pair_meets(disks_[i], disks_[peg], !left_.empty() && left_[i] == peg);
-  if (at == best.time && at != P::Clock::never()) note_tie(at);
+  if (at == best.time && at != P::Clock::never()) note_tie(at, i, i);
   if (at < best.time) best = {at, peg};
 }
 
@@ -79,9 +79,9 @@ void Tile<P>::look_at_peg(Index i, Index peg, Meeting<P>& best) const {
 template <class P>
 void Tile<P>::look_alone(Index i, Meeting<P>& best) const {
   const Disk& me = disks_[i];
-  const Meeting<P> alone = motion_.alone(me, std::min(best.time, me.leaves));
+  const Meeting<P> alone = motion_.alone(me, std::min(best.time, me.leaves), spin(i));
   const bool known = alone.partner == me.partner;
-  if (alone.time == best.time && alone.partner != kCarry && !known) note_tie(alone.time);
+  if (alone.time == best.time && alone.partner >= kWalls && !known) note_tie(alone.time, i, i);
   if (alone.time < best.time) best = alone;
 }
 
@@ -95,7 +95,7 @@ void Tile<P>::scan(Index i, At now) {
   const bool carried = motion_.hops() && !motion_.flies(me);
   if (carried) {
     // First, as it leaves less to look for.
-    const Meeting<P> alone = motion_.alone(me);
+    const Meeting<P> alone = motion_.alone(me, P::Clock::never(), spin(i));
     if (alone.time < best.time) best = alone;
   }
   if (motion_.rules().collisions) {

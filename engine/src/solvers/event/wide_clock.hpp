@@ -24,9 +24,11 @@ class Clock<WideNumber> {
   static Time longest_flight() { return power(S::bits() - 2); }
   static Time era() { return power(S::bits() - 3); }
 
+  static int bits() { return S::bits() - 8; }
+
   Clock() : Clock(1) {}
   explicit Clock(double crossing)
-      : tick_(power(std::ilogb(crossing) - (S::bits() - 8))), per_second_(1 / tick_) {}
+      : tick_(power(std::ilogb(crossing) - bits())), per_second_(1 / tick_) {}
 
   /// REQUIRES: a power of two.
   static Clock of_tick(double tick) {

@@ -112,4 +112,9 @@ void WideCore::take_impacts(std::vector<Impact>& impacts) {
   core_->take_impacts(impacts);
 }
 
+void WideCore::tell_slides(std::size_t ball, std::vector<Impact>& impacts) const {
+  const WidePrecision precision(digits_);
+  core_->tell_slides(ball, impacts);
+}
+
 }  // namespace carom::event

@@ -33,6 +33,7 @@ class WideCore final : public Core {
   void visit_flights(const std::function<void(const SavedFlight&)>& visit) const override;
   void record_impacts(bool wanted) override;
   void take_impacts(std::vector<Impact>& impacts) override;
+  void tell_slides(std::size_t ball, std::vector<Impact>& impacts) const override;
 
  private:
   int digits_;

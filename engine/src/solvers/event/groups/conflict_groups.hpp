@@ -19,8 +19,7 @@
 namespace carom::event {
 
 /// Balls of a contact that lasts may be so much farther apart than those that touch.
-template <class P>
-inline constexpr double kWidest = Motion<P>::kCanRest ? 1 + 2 * kNear : 1 + 0x1p-20;
+inline constexpr double kWidest = 1 + 2 * kNear;
 
 /// Balls solved by any number of workers, with the bits that one event loop over all balls has.
 ///
@@ -99,9 +98,9 @@ class ConflictGroups {
   /// How often each ball was brought back round a periodic axis that gravity pulls along, since
   /// `reset`; empty for other axes.
   [[nodiscard]] const Turns& turns() const { return turns_; }
-  [[nodiscard]] double given_ahead(At now) const requires(Motion<P>::kCanRest);
+  [[nodiscard]] double given_ahead(At now) const;
   /// Who rests on this ball, or carries it, moves again.
-  void wake_around(std::size_t ball, At now) requires(Motion<P>::kCanRest);
+  void wake_around(std::size_t ball, At now);
 
   /// Windows so far, how often groups were solved, and the largest group.
   [[nodiscard]] std::uint64_t windows() const { return windows_; }
@@ -152,7 +151,7 @@ class ConflictGroups {
   // Paths: conflict_groups_body.hpp.
   void fly(Share share);
   void begin(Track& track);
-  [[nodiscard]] bool flies_on(const Disk& disk) const;
+  [[nodiscard]] bool flies_on(const Segment<P>& segment) const;
   /// REQUIRES: the desk has its members.
   void solve(Index root, Desk& desk);
   void set_box(Index ball);

@@ -51,22 +51,20 @@ void ConflictGroups<P>::reset(const std::vector<Disk>& flights, At now,
   }
   for (std::size_t i = 0; i < n; ++i) {
     Disk flight = flights[i];
+    S spin = spins.empty() ? S(0) : spins[i];
     radii_[i] = static_cast<double>(motion_->kind(flight).radius);
     if (motion_->fixed(flight)) {
       fixed_[i] = 1;
       flight.start = P::Clock::ever();
     } else {
       movers_.push_back(static_cast<Index>(i));
-      if constexpr (Motion<P>::kCanRest) {
-        if (motion_->hops() && motion_->carried(flight) < kLying && flight.start == now_) {
-          leant += std::max(motion_->lean_on_walls(flight), 0.0);
-          if (!spins.empty() && motion_->slips(flight, spins[i])) {
-            motion_->set_carried(flight, kJoins);
-          }
-        }
+      const unsigned carried = motion_->carried(flight);
+      if (motion_->hops() && carried != kLying && carried < kResting && flight.start == now_) {
+        leant +=
+            std::max(motion_->lean_on_walls(flight, motion_->rules().spins ? &spin : nullptr), 0.0);
       }
     }
-    tracks_[i].first = {flight, left.empty() ? kUnknown : left[i], spins.empty() ? S(0) : spins[i]};
+    tracks_[i].first = {flight, left.empty() ? kUnknown : left[i], spin};
     tracks_[i].path.push_back(tracks_[i].first);
     set_box(static_cast<Index>(i));
   }
@@ -169,7 +167,7 @@ void ConflictGroups<P>::fly(Share share) {
     const Index i = movers_[k];
     Track& track = tracks_[i];
     begin(track);
-    if (flies_on(track.first.flight)) {
+    if (flies_on(track.first)) {
       set_box(i);
     } else {
       desk.members.assign(1, i);
@@ -187,9 +185,10 @@ void ConflictGroups<P>::begin(Track& track) {
 }
 
 template <class P>
-bool ConflictGroups<P>::flies_on(const Disk& disk) const {
-  if (motion_->carried(disk) >= kStepped) return false;
-  return motion_->alone(disk, until_).time > until_;
+bool ConflictGroups<P>::flies_on(const Segment<P>& segment) const {
+  if (motion_->carried(segment.flight) >= kStepped) return false;
+  const S* spin = motion_->rules().spins ? &segment.spin : nullptr;
+  return motion_->alone(segment.flight, until_, spin).time > until_;
 }
 
 // One event loop over a group's balls, from the flights that they begin the window with.  The balls
@@ -321,7 +320,7 @@ void ConflictGroups<P>::list_pairs() {
     for (double& half : regions_[i].half) half += margin_;
   }
   measure_window();
-  region_pairs_.build(regions_, radii_, fixed_, kWidest<P>);
+  region_pairs_.build(regions_, radii_, fixed_, kWidest);
   listed_ = true;
 }
 
@@ -507,7 +506,7 @@ Costs ConflictGroups<P>::costs() const {
 }
 
 template <class P>
-double ConflictGroups<P>::given_ahead(At now) const requires(Motion<P>::kCanRest) {
+double ConflictGroups<P>::given_ahead(At now) const {
   double sum = 0;
   const int shift = motion_->step_shift();
   if (!(motion_->pull() > 0)) return sum;
@@ -524,7 +523,7 @@ double ConflictGroups<P>::given_ahead(At now) const requires(Motion<P>::kCanRest
 }
 
 template <class P>
-void ConflictGroups<P>::wake_around(std::size_t ball, At now) requires(Motion<P>::kCanRest) {
+void ConflictGroups<P>::wake_around(std::size_t ball, At now) {
   if (!motion_->hops() || !motion_->rules().collisions) return;
   const Disk& gone = flight(ball);
   const Vec<S> here = motion_->wrapped(motion_->place(gone, now));

@@ -22,7 +22,7 @@ void ConflictGroups<P>::look_at_pairs(Share share) {
     const Track& a = tracks_[i];
     const Track& b = tracks_[j];
     if (!first_pass_ && !a.changed && !b.changed) continue;
-    if (!a.box.near(b.box, (radii_[i] + radii_[j]) * kWidest<P>, periods)) continue;
+    if (!a.box.near(b.box, (radii_[i] + radii_[j]) * kWidest, periods)) continue;
     if (first_pass_ && touch(i, j, a.first.flight, b.first.flight, now_)) {
       desk.touching.push_back({i, j});
     }

@@ -1,0 +1,169 @@
+// A ball that lies on a wall slides, rolls and turns round as closed forms say.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "support/event_contact.hpp"
+
+namespace carom {
+namespace {
+
+// Closed forms of a uniform disk on a wall that rubs, at the end of `time`.
+struct Roll {
+  double x;
+  double v;
+  double spin;
+};
+
+void expect_rolls(const Scene& scene, const Ball& start, double time, const Roll& expected) {
+  const test::ContactOutcome end = test::run_contact(scene, {start}, time);
+  // What sliding and drag take is what is missing.
+  EXPECT_NEAR(end.energy + end.dissipated, end.energy_before, 1e-12 * (1 + std::abs(end.energy)));
+  EXPECT_NEAR(end.balls[0].position.x(), start.position.x() + expected.x, 1e-9);
+  EXPECT_NEAR(end.balls[0].velocity.x(), expected.v, 1e-9);
+  EXPECT_NEAR(end.balls[0].spin, expected.spin, 1e-9);
+  EXPECT_EQ(end.balls[0].position.y(), start.position.y());
+}
+
+Scene rubbing(const Vec2& gravity, double friction, int digits = 16) {
+  Scene scene = test::contact_box(1000, 12, 0.5, gravity, digits);
+  scene.effects.friction = Friction{friction, friction};
+  return scene;
+}
+
+constexpr double kG = 9.81;
+constexpr double kRadius = 0.5;
+
+TEST(EventRolls, on_a_slope_as_steep_as_friction_holds_or_steeper) {
+  for (const int digits : {16, 34}) {
+    for (const double tan : {0.1, 0.9}) {
+      for (const double friction : {tan / 3 * 0.99, tan / 3 * 1.01}) {
+        const double normal = kG / std::sqrt(1 + tan * tan);
+        const double along = tan * normal;
+        const bool rolls = friction > tan / 3;
+        const double a = rolls ? along * 2 / 3 : along - friction * normal;
+        const double turn = rolls ? -a / kRadius : -2 * friction * normal / kRadius;
+        expect_rolls(rubbing({along, -normal}, friction, digits), test::contact_ball(5, 0.5), 4,
+                     {a * 8, a * 4, turn * 4});
+      }
+    }
+  }
+}
+
+TEST(EventRolls, uphill_and_back) {
+  Ball up = test::contact_ball(20, 0.5, 3, 0);
+  up.spin = -6;
+  const double a = -0.981 * 2 / 3;
+  expect_rolls(rubbing({-0.981, -kG}, 0.4), up, 8, {3 * 8 + a * 32, 3 + a * 8, -(3 + a * 8) * 2});
+}
+
+// Thrown flat it slides until v = 2/3 v0; spun it drives itself up to a third of r w.
+TEST(EventRolls, from_sliding_and_from_spinning) {
+  for (const double e : {0.5, 1.0}) {
+    Scene scene = rubbing({0, -kG}, 0.4);
+    scene.effects.walls = Walls{e};
+    const double a = 0.4 * kG;
+    const double slide = 3 / (3 * a);
+    expect_rolls(scene, test::contact_ball(5, 0.5, 3, 0), 6,
+                 {3 * slide - a * slide * slide / 2 + 2 * (6 - slide), 2, -4});
+    Ball spun = test::contact_ball(5, 0.5);
+    spun.spin = -20;
+    const double drive = 20 * kRadius / (3 * a);
+    const double v = a * drive;
+    expect_rolls(scene, spun, 3, {v * drive / 2 + v * (3 - drive), v, -v / kRadius});
+  }
+}
+
+// v = v0 exp(-2 k t / 3).
+TEST(EventRolls, with_drag) {
+  Scene scene = rubbing({0, -kG}, 0.4);
+  scene.effects.drag = Drag{0.5};
+  Ball rolling = test::contact_ball(5, 0.5, 3, 0);
+  rolling.spin = -6;
+  const double v = 3 * std::exp(-2 * 0.5 * 4 / 3);
+  expect_rolls(scene, rolling, 4, {(3 - v) * 3, v, -2 * v});
+}
+
+// Spun, it drives itself into a corner, where floor and wall slow it down: with N on the floor and
+// mu N on the wall, N + mu^2 N = m g, by 2 mu (1 + mu) N / (m r) in a second.
+// Seen to fail, without end, where it only slides.
+TEST(EventRolls, in_a_corner_until_it_turns_no_more) {
+  for (const double e : {0.3, 1.0}) {
+    const double friction = 0.3;
+    Scene scene = rubbing({0, -kG}, friction);
+    scene.effects.walls = Walls{e};
+    Ball spun = test::contact_ball(999.5, 0.5);
+    spun.spin = -20;
+    const double normal = kG / (1 + friction * friction);
+    const double slower = 2 * friction * (1 + friction) * normal / kRadius;
+    const test::ContactOutcome half = test::run_contact(scene, {spun}, 1);
+    EXPECT_NEAR(half.balls[0].spin, -20 + slower, 1e-9) << e;
+    const test::ContactOutcome end = test::run_contact(scene, {spun}, 20 / slower + 0.1);
+    EXPECT_EQ(end.balls[0].position, spun.position) << e;
+    EXPECT_EQ(end.balls[0].velocity, (Vec2{0, 0})) << e;
+    EXPECT_EQ(end.balls[0].spin, 0) << e;
+    EXPECT_NEAR(end.energy + end.dissipated, end.energy_before, 1e-9) << e;
+  }
+}
+
+// Two that touch roll as one.
+TEST(EventRolls, two_that_touch) {
+  const test::ContactOutcome end = test::run_contact(
+      rubbing({0.981, -kG}, 0.4), {test::contact_ball(5, 0.5), test::contact_ball(6, 0.5)}, 4);
+  EXPECT_NEAR(end.balls[0].position.x(), 5 + 5.232, 1e-9);
+  EXPECT_NEAR(end.balls[1].position.x(), 6 + 5.232, 1e-9);
+  EXPECT_NEAR(end.balls[1].spin, -5.232, 1e-9);
+}
+
+// Three on a wall, pulled along it by a ten millionth, fall by the same.
+TEST(EventContact, balls_on_a_wall_fall_along_it) {
+  const test::ContactOutcome end = test::run_contact(
+      test::contact_box(11, 12, 0.5, {-kG, -1e-6}),
+      {test::contact_ball(0.5, 5.5), test::contact_ball(0.5, 6.5), test::contact_ball(0.5, 7.5)},
+      100);
+  EXPECT_NEAR(end.balls[0].position.y(), 5.5 - 1e-6 * 5000, 1e-9);
+  EXPECT_NEAR(end.balls[2].position.y(), 7.5 - 1e-6 * 5000, 1e-9);
+}
+
+// One ball that lies, in every number of digits and however elastic.
+TEST(EventContact, what_lies_from_the_start_lies_for_ever) {
+  for (const int digits : {16, 34, 50, 100}) {
+    for (const double e : {0.0, 0.5, 1.0}) {
+      const Scene floor = test::contact_box(10, 12, e, {0, -9.81}, digits);
+      for (const std::vector<Ball>& balls :
+           {std::vector<Ball>{test::contact_ball(5, 0.5)},
+            {test::contact_ball(5, 0.5), test::contact_ball(5, 1.5)},
+            {test::fixed_ball(5, 3), test::contact_ball(5, 4)}}) {
+        const test::ContactOutcome end = test::run_contact(floor, balls, 10);
+        for (std::size_t k = 0; k < balls.size(); ++k) {
+          EXPECT_NEAR(end.balls[k].position.x(), balls[k].position.x(), 1e-12)
+              << digits << ' ' << e;
+          EXPECT_NEAR(end.balls[k].position.y(), balls[k].position.y(), 1e-6) << digits << ' ' << e;
+          EXPECT_EQ(end.balls[k].velocity, (Vec2{0, 0})) << digits << ' ' << e;
+        }
+      }
+    }
+  }
+}
+
+// Dropped from h on a floor of restitution e: at rest at sqrt(2 h / g) (1 + e) / (1 - e), with any
+// number of digits.
+TEST(EventContact, a_ball_comes_to_rest_in_all_digits) {
+  for (const int digits : {34, 50, 100}) {
+    const Scene floor = test::contact_box(10, 12, 0.5, {0, -9.81}, digits);
+    const double rest = 3 * std::sqrt(2 / 9.81);
+    EXPECT_GT(test::run_contact(floor, {test::contact_ball(5, 1.5)}, rest - 1e-6)
+                  .balls[0]
+                  .velocity.norm(),
+              1e-7)
+        << digits;
+    EXPECT_EQ(test::run_contact(floor, {test::contact_ball(5, 1.5)}, rest + 1e-6).balls[0].velocity,
+              (Vec2{0, 0}))
+        << digits;
+  }
+}
+
+}  // namespace
+}  // namespace carom
