@@ -13,4 +13,11 @@ std::string WideNumber::text() const {
   return text;
 }
 
+void WidePrecision::free_caches_with_thread() {
+  struct Caches {
+    ~Caches() { mpfr_free_cache(); }
+  };
+  thread_local const Caches caches;
+}
+
 }  // namespace carom

@@ -138,6 +138,7 @@ class WidePrecision {
  public:
   /// REQUIRES: 34, 50 or 100.
   explicit WidePrecision(int digits) : before_(WideNumber::bits_) {
+    free_caches_with_thread();
     WideNumber::bits_ = digits <= 34 ? 128 : (digits <= 50 ? 191 : WideNumber::kMostBits);
   }
   ~WidePrecision() { WideNumber::bits_ = before_; }
@@ -145,6 +146,9 @@ class WidePrecision {
   WidePrecision& operator=(const WidePrecision&) = delete;
 
  private:
+  /// MPFR keeps constants and memory for each thread; they go when the thread ends.
+  static void free_caches_with_thread();
+
   int before_;
 };
 
