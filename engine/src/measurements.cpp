@@ -9,7 +9,7 @@ double Measurements::relative_energy_error() const {
   const double expected = energy_initial + energy_input - energy_dissipated;
   const double difference = std::abs(energy_final - expected);
   const double largest =
-      std::max({std::abs(energy_initial), energy_largest, std::abs(energy_final)});
+      std::max({std::abs(energy_initial), energy_largest, std::abs(energy_final), kinetic_final});
   return largest > 0 ? difference / largest : difference;
 }
 

@@ -123,11 +123,22 @@ class Simulation::Implementation {
     energy_largest_ = std::max({energy_largest_, std::abs(before), std::abs(after)});
   }
 
+  double kinetic() const {
+    double sum = 0;
+    solver_->visit_state([&sum](const Ball& ball) {
+      if (ball.fixed) return;
+      const double surface = ball.radius * ball.spin;
+      sum += ball.mass * (ball.velocity.squaredNorm() / 2 + surface * surface / 4);
+    });
+    return sum;
+  }
+
   Measurements measure() const {
     Measurements result;
     solver_->count(result);
     result.energy_initial = energy_initial_;
     result.energy_final = solver_->energy();
+    if (scene_.effects.gravity || scene_.effects.attraction) result.kinetic_final = kinetic();
     result.energy_input = energy_input_;
     result.energy_dissipated = std::max(0.0, solver_->dissipated() - dissipated_before_);
     result.energy_largest = energy_largest_;

@@ -57,6 +57,20 @@ TEST(EnergyBook, ABallThatBouncesToRestHasLostAllOfItsDrop) {
   }
 }
 
+// A fall from where kinetic and potential energy are 0 together: what is left of both is rounding,
+// which is small beside either.
+TEST(EnergyBook, ARunWithoutAnyEnergyIsMeasuredByItsMotion) {
+  for (const Method method : kMethods) {
+    SCOPED_TRACE(method_name(method));
+    Scene scene = box_of(method);
+    scene.effects.gravity = Gravity{{9.81, -9.81}};
+    scene.balls = {hard::ball(3, 3, 0, 0, 0.5, 2)};
+    const Measurements measured = after(scene, 0.37);
+    EXPECT_LE(std::abs(measured.energy_final), 1e-13);
+    EXPECT_LE(measured.relative_energy_error(), 1e-14);
+  }
+}
+
 // Head-on, e = 1/2, masses 1 and 3 at 4: (1 - e^2) v^2 / (2 (1/m_1 + 1/m_2)) = 4.5.
 TEST(EnergyBook, AnImpactLosesWhatItsRestitutionSays) {
   for (const Method method : kMethods) {

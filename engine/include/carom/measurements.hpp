@@ -22,6 +22,7 @@ struct Measurements {
   std::uint64_t missed_hits = 0;       ///< balls passed through between two steps, at the least
   double energy_initial = 0;           ///< kinetic and potential
   double energy_final = 0;
+  double kinetic_final = 0;      ///< the part of it that is motion; with a potential
   double energy_input = 0;       ///< by commands: balls added and removed, effects changed
   double energy_dissipated = 0;  ///< by restitution, friction and drag, each by its own formula
   double energy_largest = 0;     ///< in size, of those at first and at commands
@@ -33,8 +34,8 @@ struct Measurements {
   double computing = 0;    ///< of several workers: wall-clock seconds in phases, all together
   double waiting = 0;      ///< and those of the run in which no work of one worker was done
 
-  /// What nothing accounts for: |final - (initial + input - dissipated)| / the largest energy; the
-  /// plain difference where that is zero.
+  /// What nothing accounts for: |final - (initial + input - dissipated)| / the largest energy, that
+  /// of the motion among them; the plain difference where that is zero.
   [[nodiscard]] double relative_energy_error() const;
 };
 
