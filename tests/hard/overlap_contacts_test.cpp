@@ -202,6 +202,24 @@ TEST(OverlapContacts, ElasticBallsOnALineKeepTheirOrderAndEnergy) {
   }
 }
 
+// What lies and is struck wakes at the end of that step; once, while it moves.
+TEST(OverlapContacts, TheRecordTellsWhoIsWoken) {
+  Simulation simulation(box({disk(5, 0.5), disk(5, 5), disk(20, 0.5)}));
+  simulation.record_impacts(true);
+  const double step = 1.0 / 240;
+  const double struck = std::sqrt(2 * 3.5 / kGravity);
+  simulation.advance_to(struck + 2 * step);
+  std::vector<Impact> woken;
+  for (const Impact& impact : simulation.take_impacts(true)) {
+    if (impact.kind == ImpactKind::wake) woken.push_back(impact);
+  }
+  ASSERT_EQ(woken.size(), 1U);
+  EXPECT_EQ(woken[0].a, 0U);
+  EXPECT_EQ(woken[0].b, Impact::kNoBall);
+  EXPECT_NEAR(woken[0].time, struck, step);
+  EXPECT_EQ(woken[0].energy_lost, 0);
+}
+
 // Balls that cross the box many times in a step are pushed through walls that were not near: what
 // brings them back inside makes no energy.
 TEST(OverlapContacts, FastBallsOfUnequalMassGainNoEnergyAtWalls) {

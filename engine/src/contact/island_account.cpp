@@ -78,4 +78,15 @@ void note_contacts(const LastingIsland& island, const Balls& balls, const Island
   }
 }
 
+void note_woken(const LastingIsland& island, ImpactLog& log) {
+  for (const LastingIsland::Member& member : island.members) {
+    if (!member.woken) continue;
+    Impact& impact = log.impacts.emplace_back();
+    impact.time = log.time;
+    impact.kind = ImpactKind::wake;
+    impact.a = member.ball;
+    impact.position = member.start;
+  }
+}
+
 }  // namespace carom::contact

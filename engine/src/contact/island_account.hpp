@@ -18,4 +18,7 @@ namespace carom::contact {
 void note_contacts(const LastingIsland& island, const Balls& balls, const IslandOutcome& outcome,
                    ImpactLog& log);
 
+/// Notes the balls that were asleep at the start of the step and move now.
+void note_woken(const LastingIsland& island, ImpactLog& log);
+
 }  // namespace carom::contact

@@ -449,7 +449,10 @@ void LastingContacts::settle(std::span<double> lost, Count& count, ImpactLog& lo
     log.impacts.insert(log.impacts.end(), island.impacts.begin(), island.impacts.end());
     for (const Member& member : island.members) driven_[member.ball] = 0;
     if (!lost.empty()) lost[island.members.front().ball] += island.lost;
-    if (!island.sleeps) continue;
+    if (!island.sleeps) {
+      if (log.wanted) note_woken(island, log);
+      continue;
+    }
     for (const Member& member : island.members) asleep_[member.ball] = 1;
     awake_ -= island.members.size();
     sleepers_ += island.members.size();
