@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "contact/skin.hpp"
 #include "contact/touching.hpp"
 #include "effects/attraction.hpp"
 #include "effects/drag.hpp"
+#include "effects/energy.hpp"
 #include "effects/friction.hpp"
 #include "effects/gravity.hpp"
 #include "effects/periodic.hpp"
@@ -107,6 +107,7 @@ std::size_t OverlapSolver::aim(double time) {
 
 void OverlapSolver::fly(Share share) {
   Desk& desk = desks_[share.index];
+  std::vector<double>& lost = losses_.by_ball;
   desk.moved_square = 0;
   desk.impacts.timed = timed();
   desk.impacts.log.time = step_origin_ + static_cast<double>(steps_ + 1) * step_;
@@ -127,20 +128,19 @@ void OverlapSolver::fly(Share share) {
       fly(i, block_end, desk, &struck);
       const Stopwatch stopwatch(timed(), desk.seconds.of<Friction>());
       effects::RubbedBlock rubbed;
-      effects::rub_walls(balls_, i, block_end - i, struck, rule_.wall_friction, &lost_[i],
+      effects::rub_walls(balls_, i, block_end - i, struck, rule_.wall_friction, &lost[i],
                          recording_ ? &rubbed : nullptr);
       if (recording_) note_walls(i, &rubbed, desk);
     } else {
-      std::array<double, Flight::kBlock> lost_before{};
+      std::array<double, Flight::kBlock> before{};
       const bool keeps = lasting_ && drag_rate_ > 0;
       if (keeps)
-        std::copy_n(lost_.begin() + static_cast<std::ptrdiff_t>(i), block_end - i,
-                    lost_before.begin());
+        std::copy_n(lost.begin() + static_cast<std::ptrdiff_t>(i), block_end - i, before.begin());
       fly(i, block_end, desk, nullptr);
       if (recording_) note_walls(i, nullptr, desk);
       // Who is asleep does not move: drag takes nothing.
       for (std::size_t k = i; keeps && k < block_end; ++k) {
-        if (contacts_.asleep(k)) lost_[k] = lost_before[k - i];
+        if (contacts_.asleep(k)) lost[k] = before[k - i];
       }
     }
     if (lasting_) contacts_.end(balls_, i, block_end, desk.out);
@@ -153,7 +153,7 @@ void OverlapSolver::fly(std::size_t begin, std::size_t end, Desk& desk, effects:
     const Glide& glide = glide_[axis];
     Flight flight;
     prepare(flight, balls_, axis, begin, end, step_, glide);
-    if (!lost_.empty()) flight.lost = lost_.data() + begin;
+    if (!losses_.by_ball.empty()) flight.lost = losses_.by_ball.data() + begin;
     if (drag_rate_ > 0) {
       const Stopwatch stopwatch(timed(), desk.seconds.of<Drag>());
       effects::drag(flight);
@@ -314,7 +314,7 @@ void OverlapSolver::resolve_island(std::size_t island, Desk& desk) {
 std::size_t OverlapSolver::after_islands() {
   if (join_islands()) return resolve_islands();
   Desk& desk = desks_.front();
-  contacts_.settle(loses() ? std::span<double>(lost_) : std::span<double>(), desk.lasting,
+  contacts_.settle(loses() ? std::span<double>(losses_.by_ball) : std::span<double>(), desk.lasting,
                    desk.impacts.log);
   return after_impacts();
 }
@@ -397,7 +397,7 @@ void OverlapSolver::resolve(Share share) {
 void OverlapSolver::resolve_group(std::size_t group, effects::ImpactCount& count) {
   const std::span<const Pair> pairs = groups_.group(group);
   const double lost = resolver_.resolve(balls_, pairs, count);
-  if (!lost_.empty()) lost_[pairs.front().first] += lost;
+  if (!losses_.by_ball.empty()) losses_.by_ball[pairs.front().first] += lost;
 }
 
 std::size_t OverlapSolver::after_impacts() {
@@ -481,10 +481,7 @@ void OverlapSolver::remove(std::size_t ball) {
   std::vector<Ball> balls = balls_.to_vector();
   balls.erase(balls.begin() + static_cast<std::ptrdiff_t>(ball));
   balls_ = Balls(balls, effects_);
-  if (!lost_.empty()) {
-    lost_before_ += lost_[ball];
-    lost_.erase(lost_.begin() + static_cast<std::ptrdiff_t>(ball));
-  }
+  losses_.remove(ball);
   pull_known_ = false;
   for (auto& turns : turns_) {
     if (!turns.empty()) turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(ball));
@@ -521,7 +518,7 @@ void OverlapSolver::renew_rules() {
     rule_.friction = effects_.friction->balls;
     rule_.wall_friction = effects_.friction->walls;
   }
-  if (loses() || !lost_.empty()) lost_.resize(balls_.size(), 0.0);
+  if (loses() || !losses_.by_ball.empty()) losses_.by_ball.resize(balls_.size(), 0.0);
   forget_pairs();
   smallest_radius_ = std::numeric_limits<double>::infinity();
   for (const double radius : balls_.radius) smallest_radius_ = std::min(smallest_radius_, radius);
@@ -559,30 +556,7 @@ bool OverlapSolver::loses() const {
 // --- looking ----------------------------------------------------------------------------------
 
 double OverlapSolver::energy() const {
-  const Vec2 periods{domain_.period[0], domain_.period[1]};
-  double sum =
-      kinetic_energy(balls_) + potential_energy(balls_, rule_.acceleration, periods, turns_);
-  if (effects_.friction) sum += spin_energy(balls_);
-  if (effects_.attraction) {
-    sum += effects::attraction_energy(balls_, domain_, *effects_.attraction);
-  }
-  return sum;
-}
-
-double OverlapSolver::dissipated() const {
-  return std::accumulate(lost_.begin(), lost_.end(), lost_before_);
-}
-
-std::vector<double> OverlapSolver::losses() const {
-  std::vector<double> losses{lost_before_};
-  losses.insert(losses.end(), lost_.begin(), lost_.end());
-  return losses;
-}
-
-void OverlapSolver::go_on_from_losses(const std::vector<double>& losses) {
-  if (losses.empty()) return;
-  lost_before_ = losses.front();
-  if (losses.size() == lost_.size() + 1) std::copy(losses.begin() + 1, losses.end(), lost_.begin());
+  return effects::energy(balls_, effects_, domain_, turns_);
 }
 
 void OverlapSolver::count(Measurements& measurements) const {

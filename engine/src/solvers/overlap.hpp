@@ -19,6 +19,7 @@
 #include "solvers/solver.hpp"
 #include "state/balls.hpp"
 #include "state/domain.hpp"
+#include "state/losses.hpp"
 #include "state/totals.hpp"
 
 namespace carom {
@@ -65,9 +66,9 @@ class OverlapSolver final : public Solver {
   void visit_state(const BallVisitor& visit) const override { balls_.for_each(visit); }
   [[nodiscard]] std::string state_hash() const override { return carom::state_hash(balls_); }
   [[nodiscard]] double energy() const override;
-  [[nodiscard]] double dissipated() const override;
-  [[nodiscard]] std::vector<double> losses() const override;
-  void go_on_from_losses(const std::vector<double>& losses) override;
+  [[nodiscard]] double dissipated() const override { return losses_.sum(); }
+  [[nodiscard]] std::vector<double> losses() const override { return losses_.numbers(); }
+  void go_on_from_losses(const std::vector<double>& losses) override { losses_.go_on_from(losses); }
   [[nodiscard]] Vec2 momentum() const override { return carom::momentum(balls_); }
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;
@@ -146,8 +147,7 @@ class OverlapSolver final : public Solver {
   bool in_step_ = false;
   bool recording_ = false;
   Turns turns_;
-  std::vector<double> lost_;  // the energy that each ball's impacts and drag took; empty: none
-  double lost_before_ = 0;    // of balls that are gone
+  Losses losses_;
 
   // What a step takes of the effects, worked out anew where one of them or the step changes.
   double drag_rate_ = 0;

@@ -48,7 +48,7 @@ void IntegratedSolver::fly_block(const Stage& stage, std::size_t begin, std::siz
   for (std::size_t axis = 0; axis < 2; ++axis) {
     Flight flight;
     prepare(flight, balls, axis, begin, end, stage.step, stage.glide[axis]);
-    flight.lost = state_.lost.data() + begin;
+    flight.lost = state_.losses.by_ball.data() + begin;
     if (drag_rate_ > 0) {
       const Stopwatch stopwatch(timed(), find.seconds.of<Drag>());
       effects::drag(flight);

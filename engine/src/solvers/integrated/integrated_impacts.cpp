@@ -113,7 +113,7 @@ void IntegratedSolver::strike_balls(const Meeting& meeting) {
   const double approach = -closing / line.length;
   rubbed.lost +=
       lost_to_restitution(approach, bounces ? restitution * approach : 0, inverse_masses);
-  state_.lost[meeting.i] += rubbed.lost;
+  state_.losses.by_ball[meeting.i] += rubbed.lost;
   note(meeting, part_end_ - remaining_, bounces, line.r / line.length, line.distance,
        j * line.length, rubbed);
   if (bounces) {
@@ -154,7 +154,7 @@ void IntegratedSolver::strike_wall(const Meeting& meeting) {
           effects::rub_wall(ball, axis, outwards * (arrival + leaving), effects_.friction->walls);
     }
     rubbed.lost += lost_to_restitution(arrival, leaving, 1);
-    state_.lost[meeting.i] += ball.mass * rubbed.lost;
+    state_.losses.by_ball[meeting.i] += ball.mass * rubbed.lost;
     Vec2 normal{0, 0};
     normal[k] = outwards;
     note(meeting, part_end_ - remaining_, bounces, normal, ball.radius,

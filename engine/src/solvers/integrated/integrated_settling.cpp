@@ -170,7 +170,7 @@ bool IntegratedSolver::act_on(std::span<const Meeting> alike, Acting acting) {
         meeting.with_wall() ? made[k].a.radius : std::min(made[k].a.radius, made[k].b.radius);
     state_.deepest = std::max(state_.deepest, act.depth / smaller);
     if (act.impulse == 0) continue;
-    state_.lost[meeting.i] += act.rubbed.lost;
+    state_.losses.by_ball[meeting.i] += act.rubbed.lost;
     note(meeting, part_end_, false, act.normal, act.distance, act.impulse, act.rubbed);
   }
   for (effects::Member& whole : together) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "effects/attraction.hpp"
 #include "effects/drag.hpp"
+#include "effects/energy.hpp"
 #include "effects/gravity.hpp"
 #include "solvers/sampling.hpp"
 #include "state/stopwatch.hpp"
@@ -124,7 +124,7 @@ std::size_t IntegratedSolver::begin_piece(double length) {
   stage_ = 0;
   start_position_ = state_.balls.position;
   start_velocity_ = state_.balls.velocity;
-  start_lost_ = state_.lost;
+  start_lost_ = state_.losses.by_ball;
   for (std::size_t s = 0; s <= Splitting::kStages; ++s) {
     Stage& stage = stages_[s];
     stage.kick = Splitting::kPull[s] * length;
@@ -217,7 +217,7 @@ void IntegratedSolver::back_to_start() {
   state_.balls.position = start_position_;
   state_.balls.velocity = start_velocity_;
   state_.balls.pull = start_pull_;
-  state_.lost = start_lost_;
+  state_.losses.by_ball = start_lost_;
 }
 
 // What is shown becomes the run, and steps are numbered from here.
@@ -244,8 +244,7 @@ void IntegratedSolver::add(const Ball& ball) {
 void IntegratedSolver::remove(std::size_t ball) {
   std::vector<Ball> balls = state_.balls.to_vector();
   balls.erase(balls.begin() + static_cast<std::ptrdiff_t>(ball));
-  state_.lost_before = dissipated();
-  state_.lost.clear();
+  state_.losses.restart(0);
   state_.balls = Balls(balls, effects_);
   for (auto& turns : state_.turns) {
     if (!turns.empty()) turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(ball));
@@ -268,10 +267,7 @@ void IntegratedSolver::renew_rules() {
   drag_rate_ = effects_.drag ? effects_.drag->rate : 0;
   domain_ = Domain(box_, has_walls(effects_));
   const std::size_t n = balls();
-  if (state_.lost.size() != n) {
-    state_.lost_before = dissipated();
-    state_.lost.assign(n, 0.0);
-  }
+  if (state_.losses.by_ball.size() != n) state_.losses.restart(n);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (auto* columns : {&next_, &start_pull_, &low_, &high_}) {
       (*columns)[axis] = Balls::Column(n, 0.0);
@@ -285,30 +281,7 @@ void IntegratedSolver::renew_rules() {
 // --- looking ----------------------------------------------------------------------------------
 
 double IntegratedSolver::energy() const {
-  const Vec2 periods{domain_.period[0], domain_.period[1]};
-  double sum = kinetic_energy(state_.balls) +
-               potential_energy(state_.balls, gravity_, periods, state_.turns) +
-               effects::attraction_energy(state_.balls, domain_, *effects_.attraction);
-  if (effects_.friction) sum += spin_energy(state_.balls);
-  return sum;
-}
-
-double IntegratedSolver::dissipated() const {
-  return std::accumulate(state_.lost.begin(), state_.lost.end(), state_.lost_before);
-}
-
-std::vector<double> IntegratedSolver::losses() const {
-  std::vector<double> losses{state_.lost_before};
-  losses.insert(losses.end(), state_.lost.begin(), state_.lost.end());
-  return losses;
-}
-
-void IntegratedSolver::go_on_from_losses(const std::vector<double>& losses) {
-  if (losses.empty()) return;
-  state_.lost_before = losses.front();
-  if (losses.size() == state_.lost.size() + 1) {
-    std::copy(losses.begin() + 1, losses.end(), state_.lost.begin());
-  }
+  return effects::energy(state_.balls, effects_, domain_, state_.turns);
 }
 
 void IntegratedSolver::count(Measurements& measurements) const {

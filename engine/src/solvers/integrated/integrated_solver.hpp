@@ -16,6 +16,7 @@
 #include "solvers/solver.hpp"
 #include "state/balls.hpp"
 #include "state/domain.hpp"
+#include "state/losses.hpp"
 #include "state/totals.hpp"
 
 namespace carom {
@@ -57,9 +58,11 @@ class IntegratedSolver final : public Solver {
   }
   [[nodiscard]] std::string state_hash() const override { return carom::state_hash(state_.balls); }
   [[nodiscard]] double energy() const override;
-  [[nodiscard]] double dissipated() const override;
-  [[nodiscard]] std::vector<double> losses() const override;
-  void go_on_from_losses(const std::vector<double>& losses) override;
+  [[nodiscard]] double dissipated() const override { return state_.losses.sum(); }
+  [[nodiscard]] std::vector<double> losses() const override { return state_.losses.numbers(); }
+  void go_on_from_losses(const std::vector<double>& losses) override {
+    state_.losses.go_on_from(losses);
+  }
   [[nodiscard]] Vec2 momentum() const override { return carom::momentum(state_.balls); }
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;
@@ -92,8 +95,7 @@ class IntegratedSolver final : public Solver {
     std::uint64_t ball_ball = 0;
     std::uint64_t ball_wall = 0;
     double deepest = 0;
-    std::vector<double> lost;  // the energy that each ball's impacts and drag took
-    double lost_before = 0;    // of balls that are gone
+    Losses losses;
     bool pull_known = false;
   };
   // The lengths of a piece's stages.
