@@ -84,5 +84,27 @@ TEST(EventContact, what_jams_is_counted) {
   EXPECT_EQ(test::run_contact(scene, {test::contact_ball(1, 0.5, 1, 0)}, 1).measured.jammed, 0U);
 }
 
+// Ball 1 passes a blow on and has the velocity after it that it had before: its next impact is
+// looked for all the same.
+TEST(EventContact, a_ball_that_a_blow_leaves_as_it_was_still_meets_the_wall) {
+  const Scene scene = test::contact_box(5.25, 1.25, 1, {2, -0.5});
+  const test::ContactOutcome end =
+      test::run_contact(scene,
+                        {test::contact_ball(2.5, 0.5, 0, -1), test::contact_ball(3.5, 0.5, -1, 2),
+                         test::contact_ball(4.5, 0.5, -1, 2)},
+                        2);
+  EXPECT_NEAR(end.energy, -14.75, 1e-12);
+}
+
+// Between the floor and a fixed ball straight above it there is just room: what comes to the gap
+// from the side loses nothing.
+TEST(EventContact, what_comes_to_a_gap_of_zero_from_the_side_keeps_its_energy) {
+  Scene scene = test::contact_box(2.25, 2.25, 1, {0, 0});
+  scene.effects.gravity.reset();
+  const test::ContactOutcome end = test::run_contact(
+      scene, {test::contact_ball(1.5, 0.5, -2, -1), test::fixed_ball(1.5, 1.5)}, 2);
+  EXPECT_NEAR(end.energy, 2.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace carom

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -163,6 +164,48 @@ TEST(EventContact, a_ball_comes_to_rest_in_all_digits) {
               (Vec2{0, 0}))
         << digits;
   }
+}
+
+// Thrown flat without spin it slides for v0 / (3 mu g), and loses a third of its energy: a line of
+// the record, with the impulses m g t along the normal and m v0 / 3 along the wall. A slide that is
+// not over yet is told at the end of the run.
+TEST(EventRolls, what_sliding_takes_is_recorded) {
+  constexpr double kFriction = 0.25;
+  constexpr double kSpeed = 3;
+  for (const double part : {2.0, 0.5}) {
+    const double slides = kSpeed / (3 * kFriction * kG);
+    const double time = part * slides;
+    const double slid = std::min(time, slides);
+    EventSolver solver(rubbing({0, -kG}, kFriction), {test::contact_ball(5, 0.5, kSpeed, 0)});
+    solver.record_impacts(true);
+    test::advance(solver, time);
+    std::vector<Impact> impacts;
+    solver.take_impacts(impacts, true);
+    solver.tell_slides(0, impacts);
+    ASSERT_EQ(impacts.size(), 1U);
+    const Impact& line = impacts.front();
+    EXPECT_EQ(line.kind, ImpactKind::rest);
+    EXPECT_EQ(line.wall, Side::bottom);
+    EXPECT_NEAR(line.time, slid, 1e-12);
+    EXPECT_NEAR(line.impulse, kG * slid, 1e-12);
+    EXPECT_NEAR(line.tangential, kFriction * kG * slid, 1e-12);
+    const double slip = kSpeed - 3 * kFriction * kG * slid;
+    EXPECT_NEAR(line.energy_lost, (kSpeed * kSpeed - slip * slip) / 6, 1e-12);
+    EXPECT_NEAR(line.energy_lost, solver.dissipated(), 1e-12);
+  }
+}
+
+// A script that changes friction changes it from then on: what slid goes on from where it is.
+TEST(EventRolls, friction_that_is_set_acts_from_then_on) {
+  EventSolver solver(rubbing({0, -kG}, 0.25), {test::contact_ball(5, 0.5, 3, 0)});
+  test::advance(solver, 0.1);
+  Effects ice;
+  ice.friction = Friction{0, 0};
+  solver.set(ice);
+  test::advance(solver, 1.1);
+  const double v = 3 - 0.25 * kG * 0.1;
+  EXPECT_NEAR(solver.state()[0].velocity.x(), v, 1e-12);
+  EXPECT_NEAR(solver.state()[0].position.x(), 5 + (3 + v) / 2 * 0.1 + v, 1e-12);
 }
 
 }  // namespace

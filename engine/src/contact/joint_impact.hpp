@@ -206,6 +206,7 @@ class JointImpact {
       if (!(had > 0) || had == has) continue;
       const S noise = std::numeric_limits<S>::epsilon() * had;
       if (!(has > noise)) {
+        if (go_back(members, start, centre)) continue;
         if (first && had - has > noise)
           report_.held_energy += static_cast<double>(S((had - has) / 2));
         continue;
@@ -214,6 +215,23 @@ class JointImpact {
       for (const std::size_t k : members) velocity_[k] = centre + factor * (velocity_[k] - centre);
     }
     note_peaks();
+  }
+
+  /// What can move nowhere goes back the way it came, as out of a wedge, if that is open.
+  bool go_back(const std::vector<std::size_t>& members, const std::vector<Vec<S>>& start,
+               const Vec<S>& centre) {
+    const std::vector<Vec<S>> before = velocity_;
+    for (const std::size_t k : members) velocity_[k] = centre + (centre - start[k]);
+    std::vector<char> moved(bodies_.size(), 0);
+    for (const std::size_t k : members) moved[k] = 1;
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      const Contact<S>& c = graph_.contact(k);
+      const bool concerns = moved[index(c.a)] != 0 || (c.b != kWall && moved[index(c.b)] != 0);
+      if (!concerns || !(sharp_dot(c.r, velocity(c.b) - velocity(c.a)) < 0)) continue;
+      velocity_ = before;
+      return false;
+    }
+    return true;
   }
 
   S relative_energy(const std::vector<std::size_t>& members, const std::vector<Vec<S>>& velocity,

@@ -188,6 +188,7 @@ class Tile {
   struct JointLog {
     std::vector<Stroke<S>> strokes;
     std::vector<carom::Rubbed> rubbed;  ///< by contact; empty: nothing rubs
+    double held = 0;                    ///< see JointReport
   };
   void log_joint(const Instant& instant, const JointLog& joint, At now);
   struct CrowdLog {

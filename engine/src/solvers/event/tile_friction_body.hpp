@@ -24,6 +24,7 @@ JointReport Tile<P>::resolve(Instant& instant, JointLog* log) const {
   const double rubbed = spins_.empty() ? 0 : rub_jointly(instant, log);
   JointImpact<S> impact(instant.bodies, instant.contacts, log == nullptr ? nullptr : &log->strokes);
   JointReport report = impact.resolve();
+  if (log != nullptr) log->held = report.held_energy;
   report.lost += rubbed;
   return report;
 }

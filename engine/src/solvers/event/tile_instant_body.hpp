@@ -239,14 +239,20 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     if (std::find(seeds.begin(), seeds.end(), i) == seeds.end()) seeds.push_back(i);
   };
   start();
-  std::vector<Index> looked_for = seeds;
+  // Of both it is not known any more what they meet next.
+  const bool two = partner < kFirstMark && !motion_.fixed(disks_[partner]);
+  const auto unknown = [&](std::vector<Index> balls) {
+    if (two) balls.push_back(partner);
+    return balls;
+  };
+  std::vector<Index> looked_for = unknown(seeds);
   std::vector<Instant> groups;
   groups.push_back(touching(seeds, now));
   const std::vector<Index>& members = groups.front().members;
   if (std::any_of(members.begin(), members.end(), [this](Index m) { return is_past(m); })) {
     seeds = take_back();
     start();
-    looked_for = seeds;
+    looked_for = unknown(seeds);
     groups.clear();
   }
   while (!seeds.empty()) groups.push_back(touching(seeds, now));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "contact/dissipation.hpp"
@@ -126,10 +127,20 @@ void Tile<P>::keep_slides() {
   slid_.clear();
 }
 
+template <class S>
+double lost_of(const Stroke<S>& stroke) {
+  return static_cast<double>(S(stroke.impulse * stroke.approach * (1 - stroke.restitution) / 2));
+}
+
 // One line for each time that a contact is hit; friction, which comes first, with its first.
 template <class P>
 void Tile<P>::log_joint(const Instant& instant, const JointLog& joint, At now) {
   const std::uint64_t event = log_->impacts.size() + 1;
+  // Where no restitution takes energy, what is held in a gap of zero is all that is lost.
+  const bool elastic =
+      std::all_of(instant.contacts.begin(), instant.contacts.end(),
+                  [](const Contact<S>& contact) { return contact.restitution == 1; });
+  double held = joint.held;
   std::size_t stops = 0;
   for (std::size_t k = 0; k < instant.contacts.size(); ++k) {
     const Contact<S>& contact = instant.contacts[k];
@@ -148,8 +159,7 @@ void Tile<P>::log_joint(const Instant& instant, const JointLog& joint, At now) {
       Impact& impact = note();
       impact.impulse = static_cast<double>(stroke.impulse);
       impact.tangential = rubbed.impulse;
-      const S lost = stroke.impulse * stroke.approach * (1 - stroke.restitution) / 2;
-      impact.energy_lost = static_cast<double>(lost) + rubbed.lost;
+      impact.energy_lost = rubbed.lost + (elastic ? std::exchange(held, 0) : lost_of(stroke));
       rubbed = {};
     }
     if (rubbed.impulse == 0) continue;
