@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "support/event_contact.hpp"
@@ -104,6 +105,49 @@ TEST(EventContact, what_comes_to_a_gap_of_zero_from_the_side_keeps_its_energy) {
   const test::ContactOutcome end = test::run_contact(
       scene, {test::contact_ball(1.5, 0.5, -2, -1), test::fixed_ball(1.5, 1.5)}, 2);
   EXPECT_NEAR(end.energy, 2.5, 1e-12);
+}
+
+/// The balls that wake, and when.
+std::vector<std::pair<std::size_t, double>> wakes(EventSolver& solver) {
+  std::vector<Impact> impacts;
+  solver.take_impacts(impacts, false);
+  std::vector<std::pair<std::size_t, double>> result;
+  for (const Impact& impact : impacts) {
+    if (impact.kind == ImpactKind::wake) result.push_back({impact.a, impact.time});
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// A stack of two is at rest long before a third ball has fallen from h, at sqrt(2 h / g).
+TEST(EventContact, what_rests_and_is_hit_wakes_in_the_record) {
+  const std::vector<Ball> balls{test::contact_ball(5, 0.5), test::contact_ball(5, 1.5),
+                                test::contact_ball(5, 7.5)};
+  EventSolver solver(test::contact_box(10, 12, 0.5, {0, -9.81}), balls);
+  solver.record_impacts(true);
+  const double falls = std::sqrt(2 * 5 / 9.81);
+  test::advance(solver, falls - 0.01);
+  EXPECT_TRUE(wakes(solver).empty());
+  test::advance(solver, falls + 0.001);
+  const auto woken = wakes(solver);
+  ASSERT_EQ(woken.size(), 2U);
+  for (const std::size_t k : {0U, 1U}) {
+    EXPECT_EQ(woken[k].first, k);
+    EXPECT_NEAR(woken[k].second, falls, 1e-4);
+  }
+}
+
+TEST(EventContact, what_rests_wakes_in_the_record_where_a_ball_below_is_removed) {
+  const std::vector<Ball> balls{test::contact_ball(5, 0.5), test::contact_ball(5, 1.5),
+                                test::contact_ball(5, 2.5)};
+  EventSolver solver(test::contact_box(10, 12, 0.5, {0, -9.81}), balls);
+  solver.record_impacts(true);
+  test::advance(solver, 2);
+  EXPECT_TRUE(wakes(solver).empty());
+  solver.remove(0);
+  const auto woken = wakes(solver);
+  ASSERT_EQ(woken.size(), 1U);
+  EXPECT_EQ(woken[0], std::pair(std::size_t{0}, 2.0));
 }
 
 }  // namespace

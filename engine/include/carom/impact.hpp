@@ -13,7 +13,7 @@ enum class ImpactKind : std::uint8_t {
   wall,    ///< an impact of a ball at a wall
   joint,   ///< one contact of several that have their impacts together
   rest,    ///< a contact that does not bounce: it comes to rest, or is held at rest for a step
-  wake,    ///< a ball at rest was hit, or what it lies with was, and moves again
+  wake,    ///< a ball at rest moves again: it was hit, or what it lies with, or a command woke it
   add,     ///< a command added a ball
   remove,  ///< a command removed a ball
   set      ///< a command changed effects or the step

@@ -198,6 +198,8 @@ class Tile {
   };
   void log_crowd(const Gathering& crowd, const CrowdLog& log, At now);
   Impact& log_contact(At now, Index i, Index j, const Vec<S>& r);
+  /// Of a ball at rest that moves from now on.
+  void log_wake(Index i, At now);
   void log_slides(Index i, At now);
   /// What has slid by now goes into the log, where no impact of an instant is taken back any more.
   void keep_slides();

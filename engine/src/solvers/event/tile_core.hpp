@@ -86,6 +86,8 @@ class TileCore final : public Core {
   [[nodiscard]] Costs costs() const;
   void advance();
   void land();
+  /// Notes that a ball at rest, with its number from now on, moves again.
+  void tell_wake(std::size_t ball, const Disk& disk);
   /// How often each ball was brought back round a periodic axis that gravity pulls along, in the
   /// flights that are over, and in the present ones if so asked.
   [[nodiscard]] Turns turns(bool of_present_flights) const;

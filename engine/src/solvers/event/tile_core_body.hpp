@@ -507,6 +507,13 @@ void TileCore<P>::tell_slides(std::size_t ball, std::vector<Impact>& impacts) co
   }
 }
 
+template <class P>
+void TileCore<P>::tell_wake(std::size_t ball, const Disk& disk) {
+  const double era = static_cast<double>(scale_.seconds(P::Clock::era())) * now_.era;
+  const double seconds = static_cast<double>(scale_.seconds(now_.ticks)) + era;
+  noted_.push_back(wake_of(in_double(motion().place(disk, now_.ticks)), ball, seconds));
+}
+
 // From the numbers and times of the tile to those of the run.
 template <class P>
 void TileCore<P>::collect_log() {
@@ -548,9 +555,17 @@ void TileCore<P>::add(const Ball& ball) {
 
 template <class P>
 void TileCore<P>::remove(std::size_t ball) {
+  std::vector<char> rested(slot_.size(), 0);
+  for (std::size_t i = 0; i < slot_.size() && log_.wanted && !domains_; ++i) {
+    rested[i] = motion().carried(flight(i)) == kResting ? 1 : 0;
+  }
   if (tile_) tile_->wake_around(slot_[ball], now_.ticks);
   if (groups_) groups_->wake_around(ball, now_.ticks);
   land();
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    if (i == ball || rested[i] == 0 || carried_[i] == kResting) continue;
+    tell_wake(i < ball ? i : i - 1, flights_[i]);
+  }
   balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(ball));
   flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(ball));
   spins_.erase(spins_.begin() + static_cast<std::ptrdiff_t>(ball));
@@ -585,7 +600,10 @@ void TileCore<P>::set(const Domain& domain, const Effects& effects, bool bends) 
   land();
   if (bends) {
     turns_before_ = with_present;
-    for (std::size_t i = 0; i < slot_.size() && log_.wanted; ++i) tell_slides(i, noted_);
+    for (std::size_t i = 0; i < slot_.size() && log_.wanted; ++i) {
+      tell_slides(i, noted_);
+      if (motion().carried(flights_[i]) == kResting) tell_wake(i, flights_[i]);
+    }
     for (Disk& disk : flights_) {
       const auto i = static_cast<std::size_t>(&disk - flights_.data());
       if (disk.start != P::Clock::ever()) motion().carry(disk, now_.ticks, &spins_[i]);

@@ -362,6 +362,7 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) {
   for (std::size_t m = 0; m < crowd.members.size(); ++m) {
     unsigned& carried = crowd.carried[m];
     rested = rested || carried == kResting;
+    if (carried == kResting && log_ != nullptr) log_wake(crowd.members[m], now);
     const bool of_it = (carried >= kResting && !elastic) || hits.stays[m] != 0;
     if (of_it && carried != kStepped) {
       // It has not been given what gravity makes till the next step.

@@ -9,6 +9,16 @@
 
 namespace carom::event {
 
+/// A ball at rest that moves again from now on.
+inline Impact wake_of(const Vec<double>& at, std::size_t i, double seconds) {
+  Impact impact;
+  impact.time = seconds;
+  impact.kind = ImpactKind::wake;
+  impact.a = i;
+  impact.position = {at.x, at.y};
+  return impact;
+}
+
 /// A slide along a wall as a contact that does not bounce; `at`: where ball i is then.
 template <class P>
 Impact impact_of(const typename Motion<P>::Slide& slide, const Vec<double>& at, std::size_t i,
@@ -27,6 +37,12 @@ Impact impact_of(const typename Motion<P>::Slide& slide, const Vec<double>& at, 
   impact.tangential = slide.tangential;
   impact.energy_lost = slide.lost;
   return impact;
+}
+
+template <class P>
+void Tile<P>::log_wake(Index i, At now) {
+  const auto seconds = static_cast<double>(motion_.rules().scale.seconds(now));
+  log_->impacts.push_back(wake_of(in_double(motion_.place(disks_[i], now)), i, seconds));
 }
 
 /// A contact of ball i with ball j, or with a wall: everything but what it carries.
