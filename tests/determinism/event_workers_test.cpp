@@ -100,6 +100,18 @@ TEST(EventWorkers, GiveTheSameBitsWhereBallsComeAndGo) {
   expect_same_with_any_workers(scene, 2, "script");
 }
 
+// Times are counted from moments that are powers of two apart: a frame may go over several of them
+// and end at one.
+TEST(EventWorkers, GiveTheSameBitsHoweverLongAFrameIs) {
+  Scene scene = test::walled_gas(3, 3, 0.3);
+  scene.solver.method = Method::event;
+  for (const double seconds : {1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 30.5}) {
+    const Outcome expected = run(scene, 1, seconds, 30);
+    EXPECT_EQ(run(scene, 1, seconds, 1 / seconds), expected) << seconds << " s";
+    EXPECT_EQ(run(scene, 3, seconds, 1 / seconds), expected) << seconds << " s, three workers";
+  }
+}
+
 TEST(EventWorkers, HaveThePhasesThatTheEffectsAskFor) {
   const auto phases = [](const Scene& scene) {
     std::vector<std::string> names;

@@ -175,7 +175,7 @@ std::size_t TileCore<P>::finish_way(Solved& way, std::size_t phase) {
     if (now_.era == target_.era) return Phase::kFrameDone;
     way.rebase(P::Clock::era());
     now_ = {now_.era + 1, 0};
-    if (target_.ticks == 0) return Phase::kFrameDone;
+    if (now_.era == target_.era && target_.ticks == 0) return Phase::kFrameDone;
     next = aim_way(way);
   }
   return next;
