@@ -15,7 +15,7 @@ class EnergyBook {
   void note(double lost) {
     if (lost > 0) noted_ += lost;
   }
-  /// The same where rounding of a place may have given some.
+  /// The same where a step of contacts may give back what an earlier one took too much.
   void correct(double lost) { noted_ += lost; }
   /// The impact stays, or is taken back.
   void keep() {

@@ -298,7 +298,7 @@ class Tile {
     [[nodiscard]] double all() const { return stepped - ahead + others; }
   };
   [[nodiscard]] CrowdEnergy energy_of(const Gathering& crowd, double span) const;
-  void note_loss(const Gathering& crowd, double had, double span);
+  [[nodiscard]] double loss_of(const Gathering& crowd, double had, double span) const;
   void put_at(Gathering& crowd, Vec<S>& at, std::size_t axis, const S& stop,
               const S& inverse_mass) const;
   void put_on_walls(Gathering& crowd) const;

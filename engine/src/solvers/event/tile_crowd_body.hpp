@@ -378,17 +378,18 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) {
     hold_on(crowd, span, goal, loads);
     put_on_walls(crowd);
   }
+  const double lost = loss_of(crowd, had, span);
   if (log_ != nullptr) {
     log.counted = hits.counted;
     log.impulses.resize(loads.size(), 0);
     for (std::size_t k = 0; k < loads.size(); ++k) {
       log.impulses[k] = (1 + hits.restitution) * log.impulses[k] + loads[k];
     }
-    log.lost = (had - energy_of(crowd, span).all()) / 2;
+    log.lost = lost;
     log_crowd(crowd, log, now);
   }
 
-  note_loss(crowd, had, span);
+  book_.correct(lost);
   fly_on(crowd, now);
 }
 
@@ -510,12 +511,12 @@ void Tile<P>::hold_on(Gathering& crowd, double span, double goal,
   }
 }
 
-// The contacts of a crowd only take: what they have taken is what it has less.
+// What the contacts of a crowd have taken is what it has less. That may be less than nothing: a
+// ball that joins is given ahead a fall that a contact found later at the same instant takes back.
 template <class P>
-void Tile<P>::note_loss(const Gathering& crowd, double had, double span) {
+double Tile<P>::loss_of(const Gathering& crowd, double had, double span) const {
   // What was lifted onto a wall has that much more, which nothing took.
-  const double lost = (had - energy_of(crowd, span).all()) / 2 - crowd.lifted;
-  book_.correct(std::max(lost, -std::abs(crowd.lifted)));
+  return (had - energy_of(crowd, span).all()) / 2 - crowd.lifted;
 }
 
 template <class P>
@@ -683,14 +684,15 @@ void Tile<P>::step_crowd(Gathering& crowd, At now) {
     crowd.carried[a] = 0;
   }
   keep_energy(crowd, had, span);
+  const double lost = loss_of(crowd, had, span);
   if (log_ != nullptr) {
     CrowdLog log;
     log.counted.resize(loads.size(), 0);
     log.impulses = loads;
-    log.lost = (had - energy_of(crowd, span).all()) / 2;
+    log.lost = lost;
     log_crowd(crowd, log, now);
   }
-  note_loss(crowd, had, span);
+  book_.correct(lost);
   fly_on(crowd, now);
 }
 

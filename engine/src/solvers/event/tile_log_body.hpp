@@ -186,14 +186,16 @@ void Tile<P>::log_joint(const Instant& instant, const JointLog& joint, At now) {
   }
 }
 
-// What presses without being counted is a contact at rest; the first line has what all lost.
+// What presses without being counted is a contact at rest; the first line has what all lost, or
+// the only one where nothing presses.
 template <class P>
 void Tile<P>::log_crowd(const Gathering& crowd, const CrowdLog& log, At now) {
   const std::uint64_t event = log_->impacts.size() + 1;
   const auto counted = std::count(log.counted.begin(), log.counted.end(), 1);
   double lost = log.lost;
   for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
-    if (log.counted[k] == 0 && !(log.impulses[k] > 0)) continue;
+    const bool last = k + 1 == crowd.contacts.size();
+    if (log.counted[k] == 0 && !(log.impulses[k] > 0) && !(last && lost != 0)) continue;
     const CrowdContact& contact = crowd.contacts[k];
     const Index i = crowd.members[static_cast<std::size_t>(contact.a)];
     const Index j = contact.b == kWall ? crowd.near[k].partner
