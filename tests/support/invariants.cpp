@@ -180,7 +180,7 @@ class Trial {
     }
     const double missing = measured.energy_dissipated - lost;
     const double scale = std::max(std::abs(measured.energy_initial), measured.energy_dissipated);
-    const double most = std::max(most_unexplained(scene_), 1e-11) * scale;
+    const double most = 1e-11 * scale;
     if (scene_.effects.drag ? missing >= -most : std::abs(missing) <= most) return {};
     return fmt::format("impacts lose {}, the book says {}", lost, measured.energy_dissipated);
   }

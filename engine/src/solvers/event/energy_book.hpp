@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "numbers/exact_sum.hpp"
@@ -17,13 +18,13 @@ class EnergyBook {
   }
   /// The same where a step of contacts may give back what an earlier one took too much.
   void correct(double lost) { noted_ += lost; }
-  /// The impact stays, or is taken back.
-  void keep() {
+  /// The impact stays; gives what it took.
+  double keep() {
     if (noted_ != 0) {
       sum_.add(noted_);
       kept_.push_back(noted_);
     }
-    noted_ = 0;
+    return std::exchange(noted_, 0);
   }
   void forget() { noted_ = 0; }
   /// From here on what is kept can be taken back.

@@ -197,6 +197,8 @@ class Tile {
     double lost = 0;
   };
   void log_crowd(const Gathering& crowd, const CrowdLog& log, At now);
+  /// The lines from `first` on tell together what was lost.
+  void log_loss(std::size_t first, double lost);
   Impact& log_contact(At now, Index i, Index j, const Vec<S>& r);
   /// Of a ball at rest that moves from now on.
   void log_wake(Index i, At now);
@@ -321,7 +323,8 @@ class Tile {
   void reflect_crowd(Gathering& crowd, Hits& hits);
   void join(Gathering& crowd, Index i, At now);
   void gather(Gathering& crowd, At now);
-  void fly_on(Gathering& crowd, At now);
+  /// Gives what was lost.
+  double fly_on(Gathering& crowd, At now);
 
   std::shared_ptr<const Motion<P>> shared_motion_;
   const Motion<P>& motion_ = *shared_motion_;

@@ -108,7 +108,7 @@ void Tile<P>::gather(Gathering& crowd, At now) {
 
 // Every member begins the flight that `crowd` says, as what `carried` says.
 template <class P>
-void Tile<P>::fly_on(Gathering& crowd, At now) {
+double Tile<P>::fly_on(Gathering& crowd, At now) {
   bool moves = false;
   for (std::size_t m = 0; m < crowd.members.size(); ++m) {
     const Index i = crowd.members[m];
@@ -139,8 +139,9 @@ void Tile<P>::fly_on(Gathering& crowd, At now) {
   for (std::size_t m = 0; m < crowd.members.size(); ++m) {
     if (crowd.carried[m] < kResting) lean(crowd.members[m]);
   }
-  book_.keep();
+  const double lost = book_.keep();
   for (const Index i : crowd.members) look_again(i, now);
+  return lost;
 }
 
 template <class P>
@@ -379,6 +380,7 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) {
     put_on_walls(crowd);
   }
   const double lost = loss_of(crowd, had, span);
+  const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;
   if (log_ != nullptr) {
     log.counted = hits.counted;
     log.impulses.resize(loads.size(), 0);
@@ -390,7 +392,7 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) {
   }
 
   book_.correct(lost);
-  fly_on(crowd, now);
+  log_loss(first_line, fly_on(crowd, now));
 }
 
 template <class P>
@@ -685,6 +687,7 @@ void Tile<P>::step_crowd(Gathering& crowd, At now) {
   }
   keep_energy(crowd, had, span);
   const double lost = loss_of(crowd, had, span);
+  const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;
   if (log_ != nullptr) {
     CrowdLog log;
     log.counted.resize(loads.size(), 0);
@@ -693,7 +696,7 @@ void Tile<P>::step_crowd(Gathering& crowd, At now) {
     log_crowd(crowd, log, now);
   }
   book_.correct(lost);
-  fly_on(crowd, now);
+  log_loss(first_line, fly_on(crowd, now));
 }
 
 }  // namespace carom::event

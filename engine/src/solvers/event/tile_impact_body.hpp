@@ -219,11 +219,12 @@ void Tile<P>::meet(Index i, At now) {
     meet_jointly(i, partner, now);
     return;
   }
-  book_.keep();
+  const double lost = book_.keep();
   const Past& was = past_[first];
   const Past& partner_was = past_.back();
   if (log_ != nullptr) {
     log_alone(i, partner, {was.disk, was.spin}, {partner_was.disk, partner_was.spin}, now);
+    log_->impacts.back().energy_lost = lost;
   }
 }
 

@@ -307,8 +307,11 @@ void Tile<P>::resolve_group(Instant& instant, const std::vector<Index>& looked_f
       forget(k);
     }
     meet_alone(i, partner, now);
-    book_.keep();
-    if (log_ != nullptr) log_alone(i, partner, was, partner_was, now);
+    const double lost = book_.keep();
+    if (log_ != nullptr) {
+      log_alone(i, partner, was, partner_was, now);
+      log_->impacts.back().energy_lost = lost;
+    }
     if (ball) look_again(partner, now);
     look_again(i, now);
     return;
@@ -325,6 +328,7 @@ void Tile<P>::resolve_group(Instant& instant, const std::vector<Index>& looked_f
   ++counts_.joint_impacts;
   JointLog joint;
   const JointReport report = resolve(instant, log_ != nullptr ? &joint : nullptr);
+  const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;
   if (log_ != nullptr) log_joint(instant, joint, now);
   const auto walls = static_cast<std::uint64_t>(report.walls);
   const auto balls = static_cast<std::uint64_t>(report.impacts);
@@ -333,7 +337,7 @@ void Tile<P>::resolve_group(Instant& instant, const std::vector<Index>& looked_f
   counts_.jammed +=
       gives_up() ? instant.contacts.size() : static_cast<std::uint64_t>(report.jammed);
   book_.note(report.lost);
-  book_.keep();
+  double lost = book_.keep();
 
   std::vector<Index> changed;
   for (std::size_t k = 0; k < instant.members.size(); ++k) {
@@ -364,7 +368,8 @@ void Tile<P>::resolve_group(Instant& instant, const std::vector<Index>& looked_f
   }
   if (!left_.empty()) note_left(instant, now);
   for (const Index m : changed) lean(m);
-  book_.keep();
+  lost += book_.keep();
+  log_loss(first_line, lost);
   if (motion_.clusters()) {
     for (const Contact<S>& contact : instant.contacts) {
       if (contact.b == kWall || contact.restitution == 1) continue;

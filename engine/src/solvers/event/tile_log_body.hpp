@@ -213,4 +213,12 @@ void Tile<P>::log_crowd(const Gathering& crowd, const CrowdLog& log, At now) {
   }
 }
 
+template <class P>
+void Tile<P>::log_loss(std::size_t first, double lost) {
+  if (log_ == nullptr || first >= log_->impacts.size()) return;
+  double told = 0;
+  for (std::size_t k = first; k < log_->impacts.size(); ++k) told += log_->impacts[k].energy_lost;
+  log_->impacts[first].energy_lost += lost - told;
+}
+
 }  // namespace carom::event
