@@ -251,6 +251,7 @@ class Tile {
     if (other != i) ties_.insert({at, other});
   }
   [[nodiscard]] bool tied(Index i, Index partner, At now);
+  [[nodiscard]] bool meets_another(Index i, Index partner, At now) const;
   void meet_jointly(Index i, Index partner, At now);
   /// All that touches at this instant, over balls that can move, from these on; takes from `seeds`
   /// those that it has found.

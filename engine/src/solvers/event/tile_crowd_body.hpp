@@ -679,9 +679,10 @@ void Tile<P>::step_crowd(Gathering& crowd, At now) {
     const Disk& disk = disks_[crowd.members[a]];
     put_at(crowd, crowd.places[a], x ? 0 : 1, motion_.wall(disk, crowd.places[a], wall).stop,
            motion_.kind(disk).inverse_mass);
-    // Only walls carry it: it slides on, or rolls.
+    // Only walls carry it: it slides on, or rolls, if it does not come to rest.
     if (on_balls[a] != 0 || approaches[a] != 0) continue;
-    if (crowd.carried[a] != 0) crowd.bodies[a] = before[a];
+    const bool rests = crowd.carried[a] == kResting && !motion_.elastic();
+    if (crowd.carried[a] != 0 && !rests) crowd.bodies[a] = before[a];
     (x ? crowd.bodies[a].velocity.x : crowd.bodies[a].velocity.y) = 0;
     crowd.carried[a] = 0;
   }

@@ -34,7 +34,29 @@ template <class P>
 bool Tile<P>::tied(Index i, Index partner, At now) {
   if (ties_.empty()) return false;
   ties_.erase(ties_.begin(), ties_.lower_bound({now, 0}));
-  return ties_.count({now, i}) > 0 || ties_.count({now, partner}) > 0;
+  if (ties_.count({now, i}) == 0 && ties_.count({now, partner}) == 0) return false;
+  // A tie may be of what was known of a ball before: whether it was noted depends on what was
+  // looked at when.
+  const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
+  return meets_another(i, partner, now) || (ball && meets_another(partner, i, now));
+}
+
+// Whether the ball meets something else at this instant, too.
+template <class P>
+bool Tile<P>::meets_another(Index i, Index partner, At now) const {
+  const Disk& disk = disks_[i];
+  for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
+    if (wall == partner || !motion_.rules().domain.solid((wall - kWalls) / 2)) continue;
+    if (motion_.wall_meets(disk, wall) <= now) return true;
+  }
+  if (!motion_.rules().collisions) return false;
+  bool meets = false;
+  neighbours_.lists().each(i, [&](Index j) {
+    if (meets || j == partner) return;
+    const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
+    meets = motion_.pair_meets(disk, disks_[j], from_contact, now) <= now;
+  });
+  return meets;
 }
 
 template <class P>
