@@ -284,16 +284,15 @@ class Tile {
   void schedule_step(At now);
   void settle(Index i, At now);
   [[nodiscard]] bool is_of_crowd(const Instant& instant, At now) const;
-  // Crowds: tile_crowd_body.hpp.
-  [[nodiscard]] bool is_hit_of_crowd(Index i, Index partner, At now) const;
-  [[nodiscard]] bool hit_crowd(Index i, Index partner, At now);
-  void hit_crowds(std::vector<std::vector<Index>> hits, At now);
-  void settle_pressed();
-  void hit_crowd(Gathering& crowd, At now);
-  void step_crowds(At now);
-  void step_crowd(Gathering& crowd, At now);
-  void hold_still(const Gathering& crowd, std::vector<std::size_t>& set,
-                  const std::vector<char>& carries, std::vector<char>& moves) const;
+  // The balls of a crowd and their contacts: tile_gathering_body.hpp.
+  void put_at(Gathering& crowd, Vec<S>& at, std::size_t axis, const S& stop,
+              const S& inverse_mass) const;
+  void join(Gathering& crowd, Index i, At now);
+  void gather(Gathering& crowd, At now);
+  /// Gives what was lost.
+  double fly_on(Gathering& crowd, At now);
+
+  // What a crowd has: tile_crowd_energy_body.hpp.
   struct CrowdEnergy {
     double stepped;
     double ahead;
@@ -302,12 +301,9 @@ class Tile {
   };
   [[nodiscard]] CrowdEnergy energy_of(const Gathering& crowd, double span) const;
   [[nodiscard]] double loss_of(const Gathering& crowd, double had, double span) const;
-  void put_at(Gathering& crowd, Vec<S>& at, std::size_t axis, const S& stop,
-              const S& inverse_mass) const;
-  void put_on_walls(Gathering& crowd) const;
   bool keep_energy(Gathering& crowd, double had, double span) const;
-  void press(Gathering& crowd, double span, double goal, std::vector<double>& loads) const;
-  void hold_on(Gathering& crowd, double span, double goal, std::vector<double>& loads) const;
+
+  // Impacts of crowds: tile_crowd_hit_body.hpp.
   /// What of a crowd meets at an instant.
   struct Hits {
     std::vector<char> stays;    ///< by member: it is of the crowd afterwards
@@ -319,13 +315,23 @@ class Tile {
     std::uint64_t walls = 0;
     std::uint64_t balls = 0;
   };
+  [[nodiscard]] bool is_hit_of_crowd(Index i, Index partner, At now) const;
+  [[nodiscard]] bool hit_crowd(Index i, Index partner, At now);
+  void hit_crowds(std::vector<std::vector<Index>> hits, At now);
+  void settle_pressed();
+  void hit_crowd(Gathering& crowd, At now);
   [[nodiscard]] double approach(const Gathering& crowd, std::size_t contact) const;
   [[nodiscard]] Hits hits_of(const Gathering& crowd, At now) const;
   void reflect_crowd(Gathering& crowd, Hits& hits);
-  void join(Gathering& crowd, Index i, At now);
-  void gather(Gathering& crowd, At now);
-  /// Gives what was lost.
-  double fly_on(Gathering& crowd, At now);
+  void put_on_walls(Gathering& crowd) const;
+  void press(Gathering& crowd, double span, double goal, std::vector<double>& loads) const;
+  void hold_on(Gathering& crowd, double span, double goal, std::vector<double>& loads) const;
+
+  // Steps of crowds: tile_crowd_step_body.hpp.
+  void step_crowds(At now);
+  void step_crowd(Gathering& crowd, At now);
+  void hold_still(const Gathering& crowd, std::vector<std::size_t>& set,
+                  const std::vector<char>& carries, std::vector<char>& moves) const;
 
   std::shared_ptr<const Motion<P>> shared_motion_;
   const Motion<P>& motion_ = *shared_motion_;

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "numbers/exact_sum.hpp"
+#include "solvers/event/tile_gathering_body.hpp"
+
+namespace carom::event {
+
+// Twice what the energy of a crowd is but for its height: what moves, less what gravity has given
+// ahead to those that are stepped, for the time of `span`.
+template <class P>
+auto Tile<P>::energy_of(const Gathering& crowd, double span) const -> CrowdEnergy {
+  const Vec<double> g = in_double(motion_.law().pull());
+  ExactSum<double> stepped;
+  ExactSum<double> ahead;
+  ExactSum<double> others;
+  for (std::size_t m = 0; m < crowd.bodies.size(); ++m) {
+    const CrowdBody& body = crowd.bodies[m];
+    const double mass = 1 / body.inverse_mass;
+    const bool steps = crowd.carried[m] == kStepped;
+    ExactSum<double>& moving = steps ? stepped : others;
+    moving.add(mass * (body.velocity.x * body.velocity.x));
+    moving.add(mass * (body.velocity.y * body.velocity.y));
+    moving.add(mass / 2 * (body.turning * body.turning));
+    if (!steps) continue;
+    ahead.add(2 * span * mass * (g.x * body.velocity.x));
+    ahead.add(2 * span * mass * (g.y * body.velocity.y));
+  }
+  return {stepped.rounded(), ahead.rounded(), others.rounded()};
+}
+
+// What is left unsolved must not make energy: those that are stepped are slowed down to what there
+// was. Where nothing loses any, all of the crowd keeps what it had, by one factor.
+template <class P>
+bool Tile<P>::keep_energy(Gathering& crowd, double had, double span) const {
+  const CrowdEnergy now = energy_of(crowd, span);
+  const bool keeps = motion_.keeps_energy();
+  if (keeps) had -= 2 * crowd.lifted;
+  const double moving = keeps ? now.stepped + now.others : now.stepped;
+  const double rest = keeps ? had : had - now.others;
+  const bool only_less = !keeps || gives_up();
+  if ((only_less && !(now.all() > had)) || !(moving > 0)) return false;
+  // moving a^2 - ahead a = rest, for the largest a, or the one next to 1
+  const double half = now.ahead / 2;
+  const double square = half * half + moving * rest;
+  double a = square > 0 ? (half + std::sqrt(square)) / moving : 0.0;
+  if (keeps && square > 0) {
+    const double other = (half - std::sqrt(square)) / moving;
+    if (std::abs(other - 1) < std::abs(a - 1)) a = other;
+  }
+  a = std::max(a, 0.0);
+  if (keeps ? a == 1 : !(a < 1)) return false;
+  for (std::size_t m = 0; m < crowd.bodies.size(); ++m) {
+    if (!keeps && crowd.carried[m] != kStepped) continue;
+    CrowdBody& body = crowd.bodies[m];
+    body.velocity = a * body.velocity;
+    body.turning = a * body.turning;
+  }
+  return true;
+}
+
+// What the contacts of a crowd have taken is what it has less. That may be less than nothing: a
+// ball that joins is given ahead a fall that a contact found later at the same instant takes back.
+template <class P>
+double Tile<P>::loss_of(const Gathering& crowd, double had, double span) const {
+  // What was lifted onto a wall has that much more, which nothing took.
+  return (had - energy_of(crowd, span).all()) / 2 - crowd.lifted;
+}
+
+template <class P>
+double Tile<P>::given_ahead(At now) const {
+  double sum = 0;
+  if (next_step_ == P::Clock::never()) return sum;
+  const S span = motion_.rules().scale.seconds(next_step_ - now);
+  const Vec<S>& g = motion_.law().pull();
+  for (const Disk& disk : disks_) {
+    if (motion_.fixed(disk) || motion_.carried(disk) != kStepped) continue;
+    sum += static_cast<double>(
+        S(span * (g.x * disk.vx + g.y * disk.vy) / motion_.kind(disk).inverse_mass));
+  }
+  return sum;
+}
+
+}  // namespace carom::event

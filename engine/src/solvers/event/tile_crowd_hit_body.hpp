@@ -1,0 +1,314 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "contact/crowd.hpp"
+#include "contact/joint_impact.hpp"
+#include "contact/rest_rules.hpp"
+#include "solvers/event/tile_gathering_body.hpp"
+#include "state/stopwatch.hpp"
+
+namespace carom::event {
+
+template <class P>
+bool Tile<P>::is_hit_of_crowd(Index i, Index partner, At now) const {
+  if (motion_.crowded(disks_[i])) return true;
+  if (partner >= kFirstMark) return false;
+  const Disk& other = disks_[partner];
+  if (!motion_.fixed(other) && motion_.crowded(other)) return true;
+  const Vec<S> r = motion_.way(motion_.place(disks_[i], now), motion_.place(other, now));
+  return motion_.clings(disks_[i], other, r, now);
+}
+
+// Whether this impact is one of a crowd; then it is done.
+template <class P>
+bool Tile<P>::hit_crowd(Index i, Index partner, At now) {
+  if (!is_hit_of_crowd(i, partner, now)) return false;
+  Gathering crowd;
+  join(crowd, i, now);
+  if (partner < kFirstMark && !motion_.fixed(disks_[partner])) join(crowd, partner, now);
+  hit_crowd(crowd, now);
+  return true;
+}
+
+// Balls that meet something at one instant; those of one crowd are resolved together.
+template <class P>
+void Tile<P>::hit_crowds(std::vector<std::vector<Index>> hits, At now) {
+  if (hits.size() > 1) {
+    std::vector<std::size_t> owner(disks_.size(), hits.size());
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      Gathering crowd;
+      for (const Index m : hits[k]) join(crowd, m, now);
+      gather(crowd, now);
+      for (const Index m : crowd.members) {
+        number_[m] = -1;
+        const std::size_t first = std::exchange(owner[m], k);
+        if (first == k || first == hits.size()) continue;
+        for (const Index moved : std::exchange(hits[first], {})) hits[k].push_back(moved);
+        std::replace(owner.begin(), owner.end(), first, k);
+      }
+    }
+  }
+  for (const std::vector<Index>& members : hits) {
+    if (members.empty()) continue;
+    Gathering crowd;
+    for (const Index m : members) {
+      if (number_[m] < 0) join(crowd, m, now);
+    }
+    hit_crowd(crowd, now);
+  }
+}
+
+// How fast a contact's bodies approach.
+template <class P>
+double Tile<P>::approach(const Gathering& crowd, std::size_t contact) const {
+  const CrowdContact& c = crowd.contacts[contact];
+  const auto velocity = [&](int body) {
+    return body == kWall ? Vec<double>{0, 0}
+                         : crowd.bodies[static_cast<std::size_t>(body)].velocity;
+  };
+  return -sharp_dot(c.normal, velocity(c.b) - velocity(c.a));
+}
+
+// What meets now, and who stays.
+template <class P>
+auto Tile<P>::hits_of(const Gathering& crowd, At now) const -> Hits {
+  Hits hits;
+  hits.stays.resize(crowd.members.size(), 0);
+  hits.counted.resize(crowd.contacts.size(), 0);
+  const auto disk_of = [&](int body) -> const Disk& {
+    return disks_[crowd.members[static_cast<std::size_t>(body)]];
+  };
+  const auto speed_of_step = static_cast<double>(motion_.speed_of_step());
+  hits.fastest = speed_of_step;
+  for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+    const CrowdContact& c = crowd.contacts[k];
+    const typename Gathering::Near& near = crowd.near[k];
+    if (!near.touches) continue;
+    const auto a = static_cast<std::size_t>(c.a);
+    const double speed = approach(crowd, k);
+    if (speed < -kStill * speed_of_step) continue;
+    hits.fastest = std::max(hits.fastest, speed);
+    const bool wall = near.partner >= kFirstMark && c.b == kWall;
+    if (wall && crowd.carried[a] < kResting && !(speed > 0)) continue;
+    bool clings = false;
+    if (wall) {
+      clings = crowd.carried[a] >= kResting && motion_.clings_to_wall(disk_of(c.a), S(speed), now);
+    } else {
+      const Disk& partner = c.b == kWall ? disks_[near.partner] : disk_of(c.b);
+      clings = motion_.clings(disk_of(c.a), partner, near.r, now);
+    }
+    if (speed > 0) {
+      ++(wall ? hits.walls : hits.balls);
+      hits.counted[k] = 1;
+    }
+    if (clings) {
+      hits.stays[a] = 1;
+      if (c.b != kWall) hits.stays[static_cast<std::size_t>(c.b)] = 1;
+    } else if (speed > 0) {
+      hits.bounces = true;
+      hits.restitution = std::min(
+          hits.restitution, wall ? motion_.rules().wall_restitution : motion_.rules().restitution);
+    }
+  }
+  return hits;
+}
+
+// A hit of a crowd whose contacts lose nothing along their normals is a joint impact of all that
+// touches; who is pressed on afterwards, and has no speed along the normal, stays.
+template <class P>
+void Tile<P>::reflect_crowd(Gathering& crowd, Hits& hits) {
+  std::vector<Body<double>> bodies;
+  for (const CrowdBody& body : crowd.bodies) bodies.push_back({body.velocity, body.inverse_mass});
+  std::vector<Contact<double>> contacts;
+  std::vector<std::size_t> number;
+  const double restitution = gives_up() ? 0 : 1;
+  for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+    const CrowdContact& c = crowd.contacts[k];
+    if (!crowd.near[k].touches) continue;
+    if (c.b != kWall) {
+      contacts.push_back({c.a, c.b, in_double(crowd.near[k].r), restitution});
+    } else if (crowd.near[k].partner >= kFirstMark) {
+      contacts.push_back({c.a, kWall, c.normal, restitution});
+    } else {
+      contacts.push_back(
+          {c.a, static_cast<int>(bodies.size()), in_double(crowd.near[k].r), restitution});
+      bodies.push_back({{0, 0}, 0});
+    }
+    number.push_back(k);
+  }
+  if (hits.walls + hits.balls > 0) {
+    const JointReport report = joint_impact<double>(bodies, contacts);
+    counts_.jammed += gives_up() ? contacts.size() : static_cast<std::uint64_t>(report.jammed);
+    hits.held = report.held_energy;
+    for (std::size_t m = 0; m < crowd.bodies.size(); ++m) {
+      crowd.bodies[m].velocity = bodies[m].velocity;
+    }
+  }
+  std::fill(hits.stays.begin(), hits.stays.end(), 0);
+  const Vec<double> g = in_double(motion_.law().pull());
+  for (const std::size_t k : number) {
+    const CrowdContact& c = crowd.contacts[k];
+    const auto a = static_cast<std::size_t>(c.a);
+    const bool wall = c.b == kWall && crowd.near[k].partner >= kFirstMark;
+    if (wall) continue;
+    // Two that fall press each other only where something holds one of them.
+    const double pressing = c.b == kWall ? dot(c.normal, g) : 0;
+    const double away = std::abs(approach(crowd, k));
+    const auto reach = static_cast<double>(root(S(dot(crowd.near[k].r, crowd.near[k].r))));
+    const auto pull = static_cast<double>(motion_.pull());
+    if (!barely_hops(away, c.b == kWall ? pressing : pull, reach, kAtOnce) && away != 0) continue;
+    if (c.b == kWall && !(pressing > 0)) continue;
+    hits.stays[a] = 1;
+    if (c.b != kWall) hits.stays[static_cast<std::size_t>(c.b)] = 1;
+  }
+}
+
+// What meets a wall is exactly there, and does not go into it; where energy is kept, what is still
+// a little above it stays there.
+template <class P>
+void Tile<P>::put_on_walls(Gathering& crowd) const {
+  for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+    const CrowdContact& c = crowd.contacts[k];
+    const auto a = static_cast<std::size_t>(c.a);
+    const Index wall = crowd.near[k].partner;
+    if (c.b != kWall || wall < kFirstMark || !crowd.near[k].touches) continue;
+    if (motion_.elastic() && c.gap > 0) continue;
+    const Disk& disk = disks_[crowd.members[a]];
+    const std::size_t axis = (wall - kWalls) / 2;
+    put_at(crowd, crowd.places[a], axis, motion_.wall(disk, crowd.places[a], wall).stop,
+           motion_.kind(disk).inverse_mass);
+    double& v = axis == 0 ? crowd.bodies[a].velocity.x : crowd.bodies[a].velocity.y;
+    if ((axis == 0 ? c.normal.x : c.normal.y) * v > 0) v = 0;
+  }
+}
+
+template <class P>
+void Tile<P>::hit_crowd(Gathering& crowd, At now) {
+  const Stopwatch stopwatch(true, crowd_seconds_);
+  gather(crowd, now);
+  for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+    if (!crowd.near[k].touches) continue;
+    const int b = crowd.contacts[k].b;
+    const Index other =
+        b == kWall ? crowd.near[k].partner : crowd.members[static_cast<std::size_t>(b)];
+    resolved_.push_back({crowd.members[static_cast<std::size_t>(crowd.contacts[k].a)], other});
+  }
+  schedule_step(now);
+  double span = 0;  // until the next step; 0: for ever
+  if (next_step_ != P::Clock::never()) {
+    span = static_cast<double>(S(motion_.rules().scale.seconds(next_step_ - now)));
+  }
+  const double rate = span > 0 ? 1 / span : 0;
+  Hits hits = hits_of(crowd, now);
+  counts_.ball_wall += hits.walls;
+  counts_.ball_ball += hits.balls;
+  if (hits.walls + hits.balls > 1) ++counts_.joint_impacts;
+
+  const double had = energy_of(crowd, span).all();
+  const double goal = kSolved * hits.fastest;
+  const bool elastic = motion_.elastic();
+  CrowdLog log;
+  const Vec<double> g = in_double(motion_.law().pull());
+  if (elastic) {
+    reflect_crowd(crowd, hits);
+  } else if (hits.bounces && hits.restitution > 0) {
+    const std::vector<CrowdBody> before = crowd.bodies;
+    log.impulses = Crowd(crowd.bodies, crowd.contacts).resolve(crowd.bodies, rate, goal);
+    const double e = hits.restitution;
+    const auto beyond = [e](double was, double is) { return is + e * (is - was); };
+    for (std::size_t m = 0; m < crowd.bodies.size(); ++m) {
+      CrowdBody& body = crowd.bodies[m];
+      const CrowdBody& was = before[m];
+      body.velocity = {beyond(was.velocity.x, body.velocity.x),
+                       beyond(was.velocity.y, body.velocity.y)};
+      body.turning = beyond(was.turning, body.turning);
+    }
+  }
+  bool rested = false;
+  for (std::size_t m = 0; m < crowd.members.size(); ++m) {
+    unsigned& carried = crowd.carried[m];
+    rested = rested || carried == kResting;
+    if (carried == kResting && log_ != nullptr) log_wake(crowd.members[m], now);
+    const bool of_it = (carried >= kResting && !elastic) || hits.stays[m] != 0;
+    if (of_it && carried != kStepped) {
+      // It has not been given what gravity makes till the next step.
+      crowd.bodies[m].velocity = crowd.bodies[m].velocity + span * g;
+    }
+    carried = of_it ? kStepped : 0;
+  }
+  if (rested) ++counts_.wakes;
+  std::vector<double> loads(crowd.contacts.size(), 0);
+  hold_on(crowd, span, goal, loads);
+  put_on_walls(crowd);
+  if (keep_energy(crowd, had - 2 * hits.held, span) && !motion_.keeps_energy()) {
+    hold_on(crowd, span, goal, loads);
+    put_on_walls(crowd);
+  }
+  const double lost = loss_of(crowd, had, span);
+  const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;
+  if (log_ != nullptr) {
+    log.counted = hits.counted;
+    log.impulses.resize(loads.size(), 0);
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+      log.impulses[k] = (1 + hits.restitution) * log.impulses[k] + loads[k];
+    }
+    log.lost = lost;
+    log_crowd(crowd, log, now);
+  }
+
+  book_.correct(lost);
+  log_loss(first_line, fly_on(crowd, now));
+}
+
+// Impulses by which nothing closes before the next step; where impacts are elastic, only among
+// those that stay, as others meet at their own time.
+template <class P>
+void Tile<P>::press(Gathering& crowd, double span, double goal, std::vector<double>& loads) const {
+  const auto steps = [&](int body) {
+    return body == kWall || crowd.carried[static_cast<std::size_t>(body)] == kStepped;
+  };
+  std::vector<CrowdContact> contacts;
+  std::vector<std::size_t> number;
+  for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+    const CrowdContact& c = crowd.contacts[k];
+    if (motion_.elastic() && !(steps(c.a) && steps(c.b))) continue;
+    contacts.push_back(c);
+    number.push_back(k);
+  }
+  const double rate = span > 0 ? 1 / span : 0;
+  Crowd whole(crowd.bodies, contacts);
+  const std::vector<double> impulses = whole.resolve(crowd.bodies, rate, goal);
+  for (std::size_t k = 0; k < number.size(); ++k) loads[number[k]] += impulses[k];
+}
+
+// What leaves a crowd, and still comes nearer to what it touches, stays.
+template <class P>
+void Tile<P>::hold_on(Gathering& crowd, double span, double goal,
+                      std::vector<double>& loads) const {
+  const Vec<double> g = in_double(motion_.law().pull());
+  for (bool more = true; more;) {
+    press(crowd, span, goal, loads);
+    more = false;
+    for (std::size_t k = 0; k < crowd.contacts.size() && !motion_.elastic(); ++k) {
+      const CrowdContact& c = crowd.contacts[k];
+      const bool wall = c.b == kWall && crowd.near[k].partner >= kFirstMark;
+      if (wall || !crowd.near[k].touches || !(approach(crowd, k) > 0)) continue;
+      for (const int body : {c.a, c.b}) {
+        if (body == kWall) continue;
+        unsigned& carried = crowd.carried[static_cast<std::size_t>(body)];
+        if (carried == kStepped) continue;
+        carried = kStepped;
+        Vec<double>& v = crowd.bodies[static_cast<std::size_t>(body)].velocity;
+        v = v + span * g;
+        more = true;
+      }
+    }
+  }
+}
+
+}  // namespace carom::event

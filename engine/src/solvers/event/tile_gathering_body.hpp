@@ -1,0 +1,142 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "contact/crowd.hpp"
+#include "contact/rest_rules.hpp"
+#include "solvers/event/tile.hpp"
+
+namespace carom::event {
+
+/// The balls of one crowd, those that come to it, and their near contacts, at one instant.
+template <class P>
+struct Tile<P>::Gathering {
+  /// A near contact, beside what its impulse depends on.
+  struct Near {
+    Vec<S> r;                  ///< between balls: from the first centre to the second
+    Index partner = kUnknown;  ///< what it is with, where that never moves: a wall or a ball
+    bool touches = false;
+  };
+
+  std::vector<Index> members;
+  std::vector<Vec<S>> places;
+  std::vector<unsigned> carried;
+  std::vector<CrowdBody> bodies;
+  std::vector<CrowdContact> contacts;
+  std::vector<Near> near;  ///< by contact
+  double lifted = 0;       ///< the height that balls were given, in energy
+};
+
+// Moves a ball along an axis, onto a wall.
+template <class P>
+void Tile<P>::put_at(Gathering& crowd, Vec<S>& at, std::size_t axis, const S& stop,
+                     const S& inverse_mass) const {
+  S& x = axis == 0 ? at.x : at.y;
+  crowd.lifted += static_cast<double>(S((x - stop) * motion_.law().pull(axis) / inverse_mass));
+  x = stop;
+}
+
+template <class P>
+void Tile<P>::join(Gathering& crowd, Index i, At now) {
+  Disk& disk = disks_[i];
+  number_[i] = static_cast<int>(crowd.members.size());
+  crowd.members.push_back(i);
+  crowd.carried.push_back(motion_.carried(disk));
+  Vec<S> at = motion_.wrapped(motion_.place(disk, now));
+  const auto& kind = motion_.kind(disk);
+  S turning = 0;
+  if (!spins_.empty()) turning = kind.radius * motion_.spin_at(disk, spins_[i], now);
+  crowd.bodies.push_back({in_double(motion_.velocity(disk, now)), static_cast<double>(turning),
+                          static_cast<double>(kind.inverse_mass)});
+  for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
+    const std::size_t axis = (wall - kWalls) / 2;
+    if (!motion_.rules().domain.solid(axis)) continue;
+    const auto [gap, stop] = motion_.wall(disk, at, wall);
+    if (gap > 2 * kind.radius * kNear) continue;
+    if (gap < 0) put_at(crowd, at, axis, stop, kind.inverse_mass);
+    const S side = wall % 2 == kWalls % 2 ? -1 : 1;
+    const Vec<S> towards = axis == 0 ? Vec<S>{side, S(0)} : Vec<S>{S(0), side};
+    const bool touches = !(gap > 2 * kind.radius * kTouching);
+    crowd.contacts.push_back({number_[i], kWall, in_double(towards),
+                              static_cast<double>(larger(gap, S(0))),
+                              motion_.rules().wall_friction});
+    crowd.near.push_back({towards, wall, touches});
+  }
+  crowd.places.push_back(at);
+}
+
+// Whoever can be reached from the members over near contacts of balls that are of a crowd.
+template <class P>
+void Tile<P>::gather(Gathering& crowd, At now) {
+  if (!motion_.rules().collisions) return;
+  const double friction = motion_.rules().friction;
+  std::vector<Index> around;
+  for (std::size_t m = 0; m < crowd.members.size(); ++m) {
+    const Index i = crowd.members[m];
+    const Vec<S> here = crowd.places[m];
+    const S radius = motion_.kind(disks_[i]).radius;
+    const auto found = neighbours_.around(static_cast<double>(here.x), static_cast<double>(here.y));
+    around.assign(found.begin(), found.end());
+    std::sort(around.begin(), around.end());
+    for (const Index j : around) {
+      if (j == i) continue;
+      const bool fixed = motion_.fixed(disks_[j]);
+      if (number_[j] < 0 && !fixed && !motion_.crowded(disks_[j])) continue;
+      const S reach = radius + motion_.kind(disks_[j]).radius;
+      const Vec<S> there = number_[j] >= 0 ? crowd.places[static_cast<std::size_t>(number_[j])]
+                                           : motion_.wrapped(motion_.place(disks_[j], now));
+      const Vec<S> r = motion_.way(here, there);
+      if (!near(r, reach, S(kNear))) continue;
+      if (number_[j] < 0 && !fixed) join(crowd, j, now);
+      if (!fixed && number_[j] > number_[i]) continue;  // it is found from there, too
+      const S length = root(S(r.x * r.x + r.y * r.y));
+      const S gap = squared_gap(r, reach) / (length + reach);
+      crowd.contacts.push_back({number_[i], fixed ? kWall : number_[j],
+                                in_double(S(1 / length) * r), static_cast<double>(gap), friction});
+      crowd.near.push_back({r, fixed ? j : kUnknown, near(r, reach, S(kTouching))});
+      const S depth = -gap / std::min(radius, motion_.kind(disks_[j]).radius);
+      counts_.max_overlap = std::max(counts_.max_overlap, static_cast<double>(depth));
+    }
+  }
+}
+
+// Every member begins the flight that `crowd` says, as what `carried` says.
+template <class P>
+double Tile<P>::fly_on(Gathering& crowd, At now) {
+  bool moves = false;
+  for (std::size_t m = 0; m < crowd.members.size(); ++m) {
+    const Index i = crowd.members[m];
+    number_[i] = -1;
+    remember(i);
+    unlink(i);
+    forget(i);
+    Disk& disk = disks_[i];
+    disk.x = crowd.places[m].x;
+    disk.y = crowd.places[m].y;
+    disk.vx = crowd.bodies[m].velocity.x;
+    disk.vy = crowd.bodies[m].velocity.y;
+    if (!spins_.empty()) spins_[i] = crowd.bodies[m].turning / motion_.kind(disk).radius;
+    disk.start = now;
+    motion_.set_carried(disk, crowd.carried[m]);
+    left_[i] = kUnknown;
+    moves = moves || crowd.carried[m] == kStepped;
+  }
+  for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+    const auto a = static_cast<std::size_t>(crowd.contacts[k].a);
+    const Index i = crowd.members[a];
+    const Index partner = crowd.near[k].partner;
+    if (crowd.carried[a] < kResting && crowd.near[k].touches && partner < kFirstMark) {
+      left_[i] = partner;
+    }
+  }
+  if (moves) schedule_step(now);
+  for (std::size_t m = 0; m < crowd.members.size(); ++m) {
+    if (crowd.carried[m] < kResting) lean(crowd.members[m]);
+  }
+  const double lost = book_.keep();
+  for (const Index i : crowd.members) look_again(i, now);
+  return lost;
+}
+
+}  // namespace carom::event
