@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "carom/simulation.hpp"
 #include "support/event_contact.hpp"
 
 namespace carom {
@@ -206,6 +207,26 @@ TEST(EventRolls, friction_that_is_set_acts_from_then_on) {
   const double v = 3 - 0.25 * kG * 0.1;
   EXPECT_NEAR(solver.state()[0].velocity.x(), v, 1e-12);
   EXPECT_NEAR(solver.state()[0].position.x(), 5 + (3 + v) / 2 * 0.1 + v, 1e-12);
+}
+
+// Losses under gravity in any number of digits: what falls from h above its place loses m g h, and
+// a stack of three stands with its centres a diameter apart.
+// Seen to fail: with refusal of such scenes.
+TEST(EventRest, what_loses_energy_comes_to_rest_in_all_digits) {
+  for (const int digits : {34, 50, 100}) {
+    Scene scene = test::contact_box(10, 12, 0.5, {0, -kG}, digits);
+    scene.solver.method = Method::event;
+    scene.balls = {test::contact_ball(2, 2.5), test::contact_ball(5, 0.5),
+                   test::contact_ball(5, 1.75), test::contact_ball(5, 3)};
+    ASSERT_NO_THROW(Simulation{scene}) << digits;
+    const test::ContactOutcome end = test::run_contact(scene, scene.balls, 6);
+    EXPECT_NEAR(end.dissipated, kG * (2 + 0.25 + 0.5), 1e-3) << digits;
+    EXPECT_EQ(end.balls[0].position.y(), 0.5) << digits;
+    for (const std::size_t k : {0U, 1U, 2U}) {
+      EXPECT_NEAR(end.balls[k + 1].position.y(), 0.5 + static_cast<double>(k), 1e-5) << digits;
+    }
+    for (const Ball& ball : end.balls) EXPECT_EQ(ball.velocity, Vec2(0, 0)) << digits;
+  }
 }
 
 }  // namespace

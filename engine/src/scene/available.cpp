@@ -40,14 +40,6 @@ struct Unavailable {
 
 /// The one list of what a scene can name and a method cannot do.
 constexpr std::array kUnavailable{
-    Unavailable{"/solver/method", kEvent,
-                [](const Scene& s) {
-                  // A collapse without gravity is rare enough to be told when it comes.
-                  return flies_in_closed_form(s) && s.effects.gravity && loses_energy(s) &&
-                         s.solver.digits > 16;
-                },
-                "\"event\" under gravity cannot take a restitution below 1 in more than 16 "
-                "digits: use 16, or \"overlap\""},
     Unavailable{"/solver/method", kEvent, short_periodic_axis,
                 "\"event\" needs periodic axes longer than four radii of the largest ball, use "
                 "\"overlap\""},
