@@ -22,6 +22,7 @@ struct Tile<P>::Instant {
   struct Stop {
     std::size_t member;
     Index wall;
+    bool meets;  ///< it is at the wall: not only so near that it is taken as jammed
   };
   std::vector<Stop> stops;  ///< the contacts with walls
 
@@ -196,12 +197,11 @@ void Tile<P>::add_contacts(Instant& instant, std::size_t member, At now) {
     if (!rules.domain.solid((wall - kWalls) / 2)) continue;
     const S gap = motion_.wall(disk, instant.places[member], wall).gap;
     const bool near = jams_ > 0 && !(gap > 2 * motion_.kind(disk).radius * jam_gap());
-    if (gap > 0 && !near && motion_.wall_meets(disk, wall) != now && !is_linked(i, wall)) {
-      continue;
-    }
+    const bool meets = !(gap > 0) || motion_.wall_meets(disk, wall) == now || is_linked(i, wall);
+    if (!meets && !near) continue;
     const S side = wall % 2 == kWalls % 2 ? -1 : 1;
     const Vec<S> towards = wall - kWalls < 2 ? Vec<S>{side, S(0)} : Vec<S>{S(0), side};
-    instant.stops.push_back({member, wall});
+    instant.stops.push_back({member, wall, meets});
     instant.contacts.push_back(
         {static_cast<int>(member), kWall, towards, S(gives_up() ? 0 : rules.wall_restitution)});
   }
@@ -384,7 +384,8 @@ void Tile<P>::resolve_group(Instant& instant, const std::vector<Index>& looked_f
   }
   for (const typename Instant::Stop& stop : instant.stops) {
     Disk& disk = disks_[instant.members[stop.member]];
-    if (disk.start != now) continue;
+    // To move the others would take the energy of their height.
+    if (disk.start != now || !stop.meets) continue;
     const S at = motion_.wall(disk, {disk.x, disk.y}, stop.wall).stop;
     (stop.wall - kWalls < 2 ? disk.x : disk.y) = at;
   }
