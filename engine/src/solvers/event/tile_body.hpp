@@ -205,9 +205,9 @@ void Tile<P>::rebase(At by) {
     if (disk.leaves != P::Clock::never()) disk.leaves -= by;
   }
   if (next_step_ != P::Clock::never()) next_step_ -= by;
-  stepped_ -= by;
   reached_ -= by;
   // Long ago is long ago, however many eras: the ticks of all of them are no number.
+  stepped_ = stepped_ >= by ? Time(stepped_ - by) : Time(-1);
   watched_from_ = watched_from_ >= by ? Time(watched_from_ - by) : Time(Time(-1) - kShortTicks);
   instant_ = instant_ >= by ? Time(instant_ - by) : Time(-1);
   for (Past& past : past_) {
