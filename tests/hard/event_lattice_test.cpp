@@ -46,16 +46,19 @@ Lattice lattice(unsigned seed) {
 }
 
 // At e = 1 nothing takes energy: whatever touches at the start, and however gravity pulls.
-// Seen to fail where a joint impact ends inelastically after some rounds.
+// Where a gap of zero holds some energy, the book has it.
+// Seen to fail where a joint impact ends inelastically after some rounds, and where the step of a
+// crowd takes the impact on a wall as a contact that rests.
 TEST(EventContact, elastic_lattices_end_and_keep_their_energy) {
-  for (unsigned seed = 0; seed < 80; ++seed) {
+  for (unsigned seed = 0; seed < 300; ++seed) {
     const Lattice start = lattice(seed);
     const test::ContactOutcome end = test::run_contact(start.scene, start.balls, 2);
-    if (end.measured.jammed > 0) continue;
+    const bool jammed = end.measured.jammed > 0;
     double size = std::abs(end.energy_before);
     for (const Ball& b : end.balls) size += b.fixed ? 0 : b.mass * b.velocity.squaredNorm() / 2;
-    EXPECT_NEAR(end.energy, end.energy_before, 1e-12 * size) << seed;
-    EXPECT_LT(end.measured.max_overlap, 1e-6) << seed;
+    const double held = jammed ? end.dissipated : 0;
+    EXPECT_NEAR(end.energy + held, end.energy_before, 1e-12 * size) << seed;
+    EXPECT_LT(end.measured.max_overlap, jammed ? 1e-4 : 1e-6) << seed;
   }
 }
 

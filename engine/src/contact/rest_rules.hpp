@@ -50,7 +50,10 @@ namespace carom::event {
 // one is fixed and the other comes at less than 2^-12 sqrt(s g). A harder impact on a crowd is
 // resolved for all of it at once: by the least impulses that stop the approach, given 1 + e times,
 // and again without e.  A ball that nothing in the crowd carries leaves it.  A crowd gains no
-// energy, counted without what gravity has given it ahead of its fall.
+// energy, counted without what gravity has given it ahead of its fall.  Where nothing loses energy
+// along a normal, a step holds only what approaches no faster than 2 h (g + u^2 / s), u the slip,
+// as gravity and the turning normal of a contact that lasts make it; what comes faster, or to a
+// wall, is an impact at its own time.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of

@@ -228,6 +228,13 @@ class Motion {
   /// What gravity makes in a step.
   [[nodiscard]] const S& speed_of_step() const { return speed_of_step_; }
   [[nodiscard]] const S& pull() const { return pull_; }
+  /// The seconds of a step.
+  [[nodiscard]] S seconds_of_step() const { return speed_of_step_ / pull_; }
+  /// Rule 3, where nothing loses energy along a normal: two that slip past each other and approach
+  /// faster meet at an impact.
+  [[nodiscard]] S lasting_speed(const S& slip, const S& reach) const {
+    return 2 * (speed_of_step_ + slip * slip * seconds_of_step() / reach);
+  }
 
  private:
   void add_carried_kinds();

@@ -150,7 +150,10 @@ Meeting<P> Motion<P>::wall_meeting(const Disk& disk, std::size_t axis, bool low,
   if (hops()) {
     // The step of its crowd has seen to it.
     const Index wall = kWalls + side;
-    if (stepped(disk) && !(this->wall(disk, {disk.x, disk.y}, wall).gap > 2 * radius * kNear)) {
+    const double part = elastic_ ? kTouching : kNear;
+    const S speed = absolute(v);
+    if (stepped(disk) && !(this->wall(disk, {disk.x, disk.y}, wall).gap > 2 * radius * part) &&
+        !(elastic_ && speed > lasting_speed(S(0), S(1)))) {
       return {};
     }
   }

@@ -126,7 +126,13 @@ template <class P>
 bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const {
   const bool of_crowds = (stepped(a) || fixed(a)) && (stepped(b) || fixed(b));
   if (!of_crowds || (a.start != b.start && !fixed(a) && !fixed(b))) return false;
-  return near(way({a.x, a.y}, {b.x, b.y}), S(kind(a).radius + kind(b).radius), S(kNear));
+  const Vec<S> r = way({a.x, a.y}, {b.x, b.y});
+  const S reach = kind(a).radius + kind(b).radius;
+  if (!near(r, reach, S(kNear))) return false;
+  if (!elastic_) return true;
+  const Vec<S> v{b.vx - a.vx, b.vy - a.vy};
+  const S distance = root(S(r.x * r.x + r.y * r.y));
+  return -sharp_dot(r, v) <= distance * lasting_speed(S(cross(r, v) / distance), reach);
 }
 
 template <class P>

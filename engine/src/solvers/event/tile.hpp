@@ -321,6 +321,9 @@ class Tile {
   void settle_pressed();
   void hit_crowd(Gathering& crowd, At now);
   [[nodiscard]] double approach(const Gathering& crowd, std::size_t contact) const;
+  /// Whether the contact is one of a step, and not an impact to come; where balls lose energy, all
+  /// near ones are.
+  [[nodiscard]] bool lasts(const Gathering& crowd, std::size_t contact) const;
   [[nodiscard]] Hits hits_of(const Gathering& crowd, At now) const;
   void reflect_crowd(Gathering& crowd, Hits& hits);
   void put_on_walls(Gathering& crowd) const;

@@ -74,6 +74,23 @@ double Tile<P>::approach(const Gathering& crowd, std::size_t contact) const {
   return -sharp_dot(c.normal, velocity(c.b) - velocity(c.a));
 }
 
+template <class P>
+bool Tile<P>::lasts(const Gathering& crowd, std::size_t contact) const {
+  if (!motion_.elastic()) return true;
+  const CrowdContact& c = crowd.contacts[contact];
+  const typename Gathering::Near& near = crowd.near[contact];
+  const double speed = approach(crowd, contact);
+  if (c.b == kWall && near.partner >= kFirstMark) {
+    return near.touches && speed <= static_cast<double>(motion_.lasting_speed(S(0), S(1)));
+  }
+  Vec<double> v = crowd.bodies[static_cast<std::size_t>(c.a)].velocity;
+  if (c.b != kWall) v = v - crowd.bodies[static_cast<std::size_t>(c.b)].velocity;
+  const S reach = root(S(dot(near.r, near.r)));
+  const S most = motion_.lasting_speed(S(cross(c.normal, v)), reach);
+  return speed <= static_cast<double>(most) &&
+         c.gap <= static_cast<double>(S(most * motion_.seconds_of_step()));
+}
+
 // What meets now, and who stays.
 template <class P>
 auto Tile<P>::hits_of(const Gathering& crowd, At now) const -> Hits {
@@ -276,7 +293,7 @@ void Tile<P>::press(Gathering& crowd, double span, double goal, std::vector<doub
   std::vector<std::size_t> number;
   for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
     const CrowdContact& c = crowd.contacts[k];
-    if (motion_.elastic() && !(steps(c.a) && steps(c.b))) continue;
+    if (motion_.elastic() && !(steps(c.a) && steps(c.b) && lasts(crowd, k))) continue;
     contacts.push_back(c);
     number.push_back(k);
   }

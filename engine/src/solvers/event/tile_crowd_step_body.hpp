@@ -89,10 +89,19 @@ void Tile<P>::step_crowd(Gathering& crowd, At now) {
   const double still = (motion_.elastic() ? kStill * kStill : kStill) * speed;
   const std::vector<CrowdBody> before = crowd.bodies;
   const double had = energy_of(crowd, 0).all();
+  std::vector<CrowdContact> lasting;
+  std::vector<std::size_t> number;
+  for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+    if (!lasts(crowd, k)) continue;
+    lasting.push_back(crowd.contacts[k]);
+    number.push_back(k);
+  }
   for (CrowdBody& body : crowd.bodies) body.velocity = body.velocity + span * g;
-  Crowd whole(crowd.bodies, crowd.contacts);
+  Crowd whole(crowd.bodies, lasting);
   const double goal = (motion_.elastic() ? kSolved * kSolved : kSolved) * speed;
-  const std::vector<double> loads = whole.resolve(crowd.bodies, 1 / span, goal, true);
+  const std::vector<double> pushes = whole.resolve(crowd.bodies, 1 / span, goal, true);
+  std::vector<double> loads(crowd.contacts.size(), 0);
+  for (std::size_t k = 0; k < number.size(); ++k) loads[number[k]] = pushes[k];
 
   std::vector<std::size_t> set(n);
   std::iota(set.begin(), set.end(), 0U);
@@ -104,7 +113,7 @@ void Tile<P>::step_crowd(Gathering& crowd, At now) {
   std::vector<char> on_balls(n, 0);
   std::vector<char> approaches(n, 0);
   std::vector<char> carries(crowd.contacts.size(), 0);
-  for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+  for (const std::size_t k : number) {
     const CrowdContact& c = crowd.contacts[k];
     const auto a = static_cast<std::size_t>(c.a);
     const auto b = c.b == kWall ? a : static_cast<std::size_t>(c.b);
