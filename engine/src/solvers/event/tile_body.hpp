@@ -211,7 +211,8 @@ void Tile<P>::rebase(At by) {
   watched_from_ = watched_from_ >= by ? Time(watched_from_ - by) : Time(Time(-1) - kShortTicks);
   instant_ = instant_ >= by ? Time(instant_ - by) : Time(-1);
   for (Past& past : past_) {
-    if (past.disk.start != P::Clock::ever()) past.disk.start -= by;
+    const Time oldest = P::Clock::ever() + by;
+    past.disk.start = past.disk.start > oldest ? Time(past.disk.start - by) : P::Clock::ever();
   }
   std::set<std::pair<Time, Index>> ties;
   for (auto at = ties_.lower_bound({by, 0}); at != ties_.end(); ++at) {
