@@ -1,5 +1,7 @@
 #include "carom/fluid.hpp"
 
+#include "state/totals.hpp"
+
 namespace carom {
 
 Fluid FluidMeter::measure(double time, const std::vector<Ball>& balls,
@@ -18,8 +20,7 @@ Fluid FluidMeter::measure(double time, const std::vector<Ball>& balls,
   double thermal = 0;
   for (const Ball& ball : balls) {
     if (ball.fixed) continue;
-    const double surface = spins_ ? ball.radius * ball.spin : 0;
-    fluid.kinetic += ball.mass * (ball.velocity.squaredNorm() / 2 + surface * surface / 4);
+    fluid.kinetic += kinetic_energy(ball, spins_);
     thermal += ball.mass * (ball.velocity - mean).squaredNorm() / 2;
   }
   const double free = periodic_ ? moving - 1 : moving;

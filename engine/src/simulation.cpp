@@ -15,6 +15,7 @@
 #include "scene/available.hpp"
 #include "solvers/make_solver.hpp"
 #include "state/domain.hpp"
+#include "state/totals.hpp"
 
 namespace carom {
 namespace {
@@ -124,12 +125,9 @@ class Simulation::Implementation {
   }
 
   double kinetic() const {
+    const bool spins = scene_.effects.friction.has_value();
     double sum = 0;
-    solver_->visit_state([&sum](const Ball& ball) {
-      if (ball.fixed) return;
-      const double surface = ball.radius * ball.spin;
-      sum += ball.mass * (ball.velocity.squaredNorm() / 2 + surface * surface / 4);
-    });
+    solver_->visit_state([&](const Ball& ball) { sum += kinetic_energy(ball, spins); });
     return sum;
   }
 

@@ -4,6 +4,12 @@
 
 namespace carom {
 
+double kinetic_energy(const Ball& ball, bool spins) {
+  if (ball.fixed) return 0;
+  const double surface = spins ? ball.radius * ball.spin : 0;
+  return ball.mass * (ball.velocity.squaredNorm() / 2 + surface * surface / 4);
+}
+
 double kinetic_energy(const Balls& balls) {
   double sum = 0;
   for (std::size_t i = 0; i < balls.radius.size(); ++i) {

@@ -13,6 +13,8 @@ namespace carom {
 /// needed.
 using Turns = std::array<std::vector<std::int64_t>, 2>;
 
+/// Of one ball, with that of its spin if it has one; of a fixed ball 0.
+double kinetic_energy(const Ball& ball, bool spins);
 /// Kinetic energy of the balls that move, and their potential energy in a uniform field.
 /// Sums run in ball order.
 double kinetic_energy(const Balls& balls);
