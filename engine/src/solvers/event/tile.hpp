@@ -176,14 +176,9 @@ class Tile {
   void watch(At now);
 
   // What --events tells: tile_log_body.hpp.
-  struct Before {
-    Disk disk;
-    S spin = 0;
-  };
-  [[nodiscard]] Before before(Index i) const {
-    return {disks_[i], spins_.empty() ? S(0) : spins_[i]};
-  }
-  void log_alone(Index i, Index partner, const Before& was, const Before& partner_was, At now);
+  /// `was`, `partner_was`: the flights before the impact.
+  void log_alone(Index i, Index partner, const Disk& was, const Disk& partner_was, double lost,
+                 At now);
   /// What is known of a joint impact beside its outcome.
   struct JointLog {
     std::vector<Stroke<S>> strokes;

@@ -223,8 +223,7 @@ void Tile<P>::meet(Index i, At now) {
   const Past& was = past_[first];
   const Past& partner_was = past_.back();
   if (log_ != nullptr) {
-    log_alone(i, partner, {was.disk, was.spin}, {partner_was.disk, partner_was.spin}, now);
-    log_->impacts.back().energy_lost = lost;
+    log_alone(i, partner, was.disk, partner_was.disk, lost, now);
   }
 }
 

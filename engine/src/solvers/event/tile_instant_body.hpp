@@ -321,8 +321,8 @@ void Tile<P>::resolve_group(Instant& instant, const std::vector<Index>& looked_f
     const Index partner = contact.b == kWall ? instant.stops.front().wall
                                              : instant.members[static_cast<std::size_t>(contact.b)];
     const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
-    const Before was = before(i);
-    const Before partner_was = ball ? before(partner) : Before{};
+    const Disk was = disks_[i];
+    const Disk partner_was = ball ? disks_[partner] : Disk{};
     for (const Index k : {i, partner}) {
       if (k == partner && !ball) continue;
       unlink(k);
@@ -330,10 +330,7 @@ void Tile<P>::resolve_group(Instant& instant, const std::vector<Index>& looked_f
     }
     meet_alone(i, partner, now);
     const double lost = book_.keep();
-    if (log_ != nullptr) {
-      log_alone(i, partner, was, partner_was, now);
-      log_->impacts.back().energy_lost = lost;
-    }
+    if (log_ != nullptr) log_alone(i, partner, was, partner_was, lost, now);
     if (ball) look_again(partner, now);
     look_again(i, now);
     return;

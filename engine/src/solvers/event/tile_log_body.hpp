@@ -71,53 +71,32 @@ Impact& Tile<P>::log_contact(At now, Index i, Index j, const Vec<S>& r) {
 
 // From the velocities before and after, as the impact has left them.
 template <class P>
-void Tile<P>::log_alone(Index i, Index partner, const Before& was_a, const Before& was_b, At now) {
+void Tile<P>::log_alone(Index i, Index partner, const Disk& was_a, const Disk& was_b, double lost,
+                        At now) {
   const bool wall = partner >= kWalls;
   const bool moves = !wall && !motion_.fixed(disks_[partner]);
   // Which of the two it was found from must not show in the last bits.
-  if (moves && partner < i) return log_alone(partner, i, was_b, was_a, now);
+  if (moves && partner < i) return log_alone(partner, i, was_b, was_a, lost, now);
   const Disk& a = disks_[i];
-  const Vec<S> a_before = motion_.velocity(was_a.disk, now);
+  const Vec<S> a_before = motion_.velocity(was_a, now);
   Vec<S> r{S(0), S(0)};
-  Vec<S> b_before{S(0), S(0)};
-  Vec<S> b_after{S(0), S(0)};
   if (wall) {
     const S side = partner % 2 == kWalls % 2 ? -1 : 1;
     (partner - kWalls < 2 ? r.x : r.y) = side;
   } else {
     r = motion_.way(motion_.place(a, now), motion_.place(disks_[partner], now));
-    if (moves) {
-      b_before = motion_.velocity(was_b.disk, now);
-      b_after = {disks_[partner].vx, disks_[partner].vy};
-    }
   }
-  const auto in_double = [](const Vec<S>& v) {
-    return Vec2{static_cast<double>(v.x), static_cast<double>(v.y)};
-  };
   Impact& impact = log_contact(now, i, partner, r);
   // Both impulses are the same seen from either of the two; here the normal leads away from i.
   const Vec2 n = impact.a == i ? impact.normal : -impact.normal;
   const Vec2 t{-n.y(), n.x()};
-  const Vec2 was = in_double(b_before - a_before);
-  const Vec2 is = in_double(b_after - Vec<S>{a.vx, a.vy});
-  const Vec2 change = in_double(a_before - Vec<S>{a.vx, a.vy});
-  const auto inverse_a = static_cast<double>(motion_.kind(a).inverse_mass);
-  const double inverse_b =
-      moves ? static_cast<double>(motion_.kind(disks_[partner]).inverse_mass) : 0;
-  impact.impulse = change.dot(n) / inverse_a;
-  const double approach = -was.dot(n);
-  const double named = wall ? motion_.rules().wall_restitution : motion_.rules().restitution;
-  const double kept = is.dot(n) > named * approach / 2 ? named : 0;
-  impact.energy_lost = lost_to_restitution(approach, kept * approach, inverse_a + inverse_b);
+  const Vec2 change{static_cast<double>(S(a_before.x - a.vx)),
+                    static_cast<double>(S(a_before.y - a.vy))};
+  const auto inverse = static_cast<double>(motion_.kind(a).inverse_mass);
+  impact.impulse = change.dot(n) / inverse;
+  impact.energy_lost = lost;
   if (spins_.empty()) return;
-  impact.tangential = change.dot(t) / inverse_a;
-  double surface = static_cast<double>(
-      S(motion_.kind(was_a.disk).radius * motion_.spin_at(was_a.disk, was_a.spin, now)));
-  if (moves)
-    surface += static_cast<double>(
-        S(motion_.kind(was_b.disk).radius * motion_.spin_at(was_b.disk, was_b.spin, now)));
-  impact.energy_lost +=
-      lost_to_friction(was.dot(t) - surface, impact.tangential, inverse_a + inverse_b);
+  impact.tangential = change.dot(t) / inverse;
 }
 
 // Of the flight that ends, or of the one that goes on after all, as its end was taken back.
