@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "solvers/event/event_solver.hpp"
-#include "support/advance.hpp"
+#include "support/event_contact.hpp"
 
 namespace carom {
 namespace {
+
+using test::contact_box;
+using test::fixed_ball;
 
 Ball ball(double x, double y, double vx = 0, double vy = 0, double radius = 0.5) {
   Ball result;
@@ -19,22 +21,6 @@ Ball ball(double x, double y, double vx = 0, double vy = 0, double radius = 0.5)
   result.velocity = {vx, vy};
   result.radius = radius;
   return result;
-}
-
-Ball peg(double x, double y, double radius = 0.5) {
-  Ball result = ball(x, y, 0, 0, radius);
-  result.fixed = true;
-  return result;
-}
-
-Scene falling(double width, double height, double restitution, const Vec2& gravity = {0, -9.81}) {
-  Scene scene;
-  scene.box.width = width;
-  scene.box.height = height;
-  scene.effects.walls = Walls{restitution};
-  scene.effects.collisions = Collisions{restitution};
-  scene.effects.gravity = Gravity{gravity};
-  return scene;
 }
 
 /// A run of the exact method, looked at now and then.
@@ -67,7 +53,7 @@ double speed(const Ball& b) {
 // at t0 (1 + e) / (1 - e), with t0 = sqrt(2 h / g).
 TEST(EventRest, a_dropped_ball_hops_as_high_as_it_should_and_rests_when_it_should) {
   for (const double e : {0.3, 0.8, 0.95}) {
-    Course run(falling(10, 10, e), {ball(5, 1.5)});
+    Course run(contact_box(10, 10, e), {ball(5, 1.5)});
     const double fall = std::sqrt(2 / 9.81);
     double apex = fall;
     double half = 0;
@@ -93,7 +79,7 @@ TEST(EventRest, a_dropped_ball_hops_as_high_as_it_should_and_rests_when_it_shoul
 }
 
 TEST(EventRest, a_ball_that_loses_all_rests_at_the_first_touch) {
-  Course run(falling(10, 10, 0), {ball(5, 1.5, 1)});
+  Course run(contact_box(10, 10, 0), {ball(5, 1.5, 1)});
   const Ball end = run.at(3)[0];
   EXPECT_EQ(run.impacts(), 1U);
   EXPECT_EQ(end.position.y(), 0.5);
@@ -102,7 +88,7 @@ TEST(EventRest, a_ball_that_loses_all_rests_at_the_first_touch) {
 
 TEST(EventRest, a_ball_that_lies_on_the_floor_stays_whatever_its_restitution) {
   for (const double e : {0.0, 0.5, 1.0}) {
-    Course run(falling(10, 10, e), {ball(5, 0.5), ball(7, 0.5)});
+    Course run(contact_box(10, 10, e), {ball(5, 0.5), ball(7, 0.5)});
     EXPECT_EQ(run.at(50)[0].position.y(), 0.5) << e;
     EXPECT_EQ(run.at(100)[1].position.y(), 0.5) << e;
     EXPECT_EQ(run.impacts(), 0U) << e;
@@ -112,7 +98,7 @@ TEST(EventRest, a_ball_that_lies_on_the_floor_stays_whatever_its_restitution) {
 TEST(EventRest, any_wall_and_any_direction_of_gravity_hold_a_ball) {
   const std::vector<Vec2> pulls{{0, 5}, {5, 0}, {-5, 0}, {3, -4}, {-3, 4}};
   for (const Vec2& pull : pulls) {
-    Course run(falling(8, 6, 0.5, pull), {ball(4, 3)});
+    Course run(contact_box(8, 6, 0.5, pull), {ball(4, 3)});
     const Ball end = run.at(60)[0];
     if (pull.x() != 0) {
       EXPECT_EQ(end.position.x(), pull.x() < 0 ? 0.5 : 7.5);
@@ -126,7 +112,7 @@ TEST(EventRest, any_wall_and_any_direction_of_gravity_hold_a_ball) {
 
 // On the floor it glides like a free ball: v e^n after n side walls.
 TEST(EventRest, a_ball_that_rests_on_the_floor_glides_on_and_turns_at_the_side_walls) {
-  Course run(falling(10, 10, 0.5), {ball(5, 1.5, 1)});
+  Course run(contact_box(10, 10, 0.5), {ball(5, 1.5, 1)});
   const double fall = std::sqrt(2 / 9.81);
   const Ball before = run.at(3 * fall + 0.1)[0];
   EXPECT_EQ(before.position.y(), 0.5);
@@ -141,7 +127,7 @@ TEST(EventRest, a_ball_that_rests_on_the_floor_glides_on_and_turns_at_the_side_w
 // bisected.
 TEST(EventRest, a_ball_that_falls_on_one_that_lies_meets_it_where_the_two_paths_say) {
   const double g = 10;
-  Course run(falling(20, 20, 0.5, {0, -g}), {ball(5, 0.5, 1), ball(5.75, 6.5, 0.5)});
+  Course run(contact_box(20, 20, 0.5, {0, -g}), {ball(5, 0.5, 1), ball(5.75, 6.5, 0.5)});
   const auto gap = [&](double t) {
     const double x = 0.75 - 0.5 * t;
     const double y = 6 - g * t * t / 2;
@@ -160,7 +146,7 @@ TEST(EventRest, a_ball_that_falls_on_one_that_lies_meets_it_where_the_two_paths_
 }
 
 TEST(EventRest, a_ball_dropped_on_the_top_of_a_fixed_one_rests_there) {
-  Course run(falling(10, 10, 0.5), {peg(5, 3), ball(5, 5)});
+  Course run(contact_box(10, 10, 0.5), {fixed_ball(5, 3), ball(5, 5)});
   const double rest = std::sqrt(2 / 9.81) * 3;
   run.at(rest * 0.999);
   EXPECT_EQ(run.measured().resting_contacts, 0U);
@@ -174,18 +160,18 @@ TEST(EventRest, a_ball_dropped_on_the_top_of_a_fixed_one_rests_there) {
 }
 
 TEST(EventRest, a_ball_beside_the_top_of_a_fixed_one_slides_off) {
-  Course run(falling(10, 10, 0.5), {peg(5, 3), ball(5 + 1e-6, 5)});
+  Course run(contact_box(10, 10, 0.5), {fixed_ball(5, 3), ball(5 + 1e-6, 5)});
   EXPECT_LT(run.at(30)[1].position.y(), 1);
 }
 
 TEST(EventRest, a_ball_comes_to_rest_between_two_fixed_ones_and_between_one_and_a_wall) {
   const double height = std::sqrt(0.75);
-  Course two(falling(10, 10, 0.4), {peg(4.5, 3), peg(5.5, 3), ball(5.1, 5, 0.3)});
+  Course two(contact_box(10, 10, 0.4), {fixed_ball(4.5, 3), fixed_ball(5.5, 3), ball(5.1, 5, 0.3)});
   const Ball on_two = two.at(20)[2];
   EXPECT_NEAR(on_two.position.x(), 5, 1e-6);
   EXPECT_NEAR(on_two.position.y(), 3 + height, 1e-6);
   EXPECT_EQ(speed(on_two), 0);
-  Course wall(falling(10, 10, 0.4), {peg(1, 3), ball(0.5, 6)});
+  Course wall(contact_box(10, 10, 0.4), {fixed_ball(1, 3), ball(0.5, 6)});
   const Ball wedged = wall.at(20)[1];
   EXPECT_EQ(wedged.position.x(), 0.5);
   EXPECT_NEAR(wedged.position.y(), 3 + height, 1e-6);
@@ -224,7 +210,7 @@ double deepest_overlap(const std::vector<Ball>& balls) {
 
 TEST(EventRest, a_pile_comes_to_rest_and_costs_nothing_then) {
   const std::vector<Ball> balls = heap(24, 5, 1.15);
-  Course run(falling(6.3, 10, 0.3), balls);
+  Course run(contact_box(6.3, 10, 0.3), balls);
   const std::vector<Ball> end = run.at(30);
   for (const Ball& b : end) EXPECT_EQ(speed(b), 0);
   EXPECT_LT(deepest_overlap(end), 1e-4);
@@ -332,7 +318,7 @@ class EventPile : public testing::TestWithParam<Drop> {};
 // each other), and where a crowd at rest is still looked at.
 TEST_P(EventPile, comes_to_rest_without_overlap_and_never_gains_energy) {
   const Drop& drop = GetParam();
-  Scene scene = falling(drop.width, 40, 0.3);
+  Scene scene = contact_box(drop.width, 40, 0.3);
   if (drop.friction > 0) scene.effects.friction = Friction{drop.friction, drop.friction};
   Course run(scene, drop.balls);
   const double before = run.solver().energy();
@@ -363,7 +349,7 @@ INSTANTIATE_TEST_SUITE_P(EventRest, EventPile, testing::ValuesIn(drops()),
 
 // 2/3 of its speed when it rolls, after v / (3 mu g).  Fails where what slides is not stepped.
 TEST(EventRest, a_ball_that_is_thrown_along_a_floor_ends_rolling_on_it) {
-  Scene scene = falling(100, 10, 0.5);
+  Scene scene = contact_box(100, 10, 0.5);
   scene.effects.friction = Friction{0.3, 0.2};
   Course run(scene, {ball(5, 0.5, 6)});
   for (int look = 1; look < 20; ++look) {
@@ -378,7 +364,7 @@ TEST(EventRest, a_ball_that_is_thrown_along_a_floor_ends_rolling_on_it) {
 }
 
 TEST(EventRest, a_pile_wakes_when_it_is_hit_and_when_what_carries_it_goes) {
-  Course run(falling(6.3, 20, 0.3), heap(12, 5, 1.15));
+  Course run(contact_box(6.3, 20, 0.3), heap(12, 5, 1.15));
   run.at(30);
   const std::uint64_t impacts = run.impacts();
   run.solver().add(ball(3, 15));
@@ -444,7 +430,7 @@ TEST(EventRest, lines_of_free_balls_collapse_in_bounded_impacts_with_their_momen
 // Only the floor and the sides lose energy.  Without crowds of elastic balls this came to "impacts
 // follow each other without end".
 TEST(EventRest, ElasticBallsThatALossyFloorCarriesComeToRest) {
-  Scene scene = falling(1.5, 8, 1);
+  Scene scene = contact_box(1.5, 8, 1);
   scene.effects.walls->restitution = 0.5;
   Course course(scene, {ball(0.5, 1), ball(1, 2.5, -0.1), ball(0.5, 4.5, 0.1)});
   const auto balls = course.at(60);

@@ -24,8 +24,8 @@ inline Ball fixed_ball(double x, double y, double radius = 0.5) {
 }
 
 /// A box with walls and balls of one restitution.
-inline Scene contact_box(double width, double height, double restitution, const Vec2& gravity,
-                         int digits = 16) {
+inline Scene contact_box(double width, double height, double restitution,
+                         const Vec2& gravity = {0, -9.81}, int digits = 16) {
   Scene scene;
   scene.box.width = width;
   scene.box.height = height;
