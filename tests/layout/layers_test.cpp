@@ -26,16 +26,18 @@ const std::vector<Layer> kLayers{
     {"engine/include/carom/", {"carom/"}},
     {"engine/src/state/", {"carom/", "state/"}},
     {"engine/src/numbers/", {"numbers/"}},
+    {"engine/src/geometry/", {"geometry/"}},
     {"engine/src/contact/block_cholesky", {"contact/", "Eigen/"}},
     {"engine/src/trajectory/", {"numbers/", "trajectory/"}},
-    {"engine/src/contact/", {"carom/", "numbers/", "state/", "contact/"}},
+    {"engine/src/contact/", {"carom/", "numbers/", "geometry/", "state/", "contact/"}},
     {"engine/src/effects/", {"carom/", "state/", "contact/", "effects/"}},
     {"engine/src/solvers/",
-     {"carom/", "numbers/", "trajectory/", "state/", "contact/", "effects/", "solvers/", "fmt/"}},
+     {"carom/", "numbers/", "geometry/", "trajectory/", "state/", "contact/", "effects/",
+      "solvers/", "fmt/"}},
     {"engine/src/crew/",
      {"carom/barrier.hpp", "carom/crew.hpp", "carom/measurements.hpp", "carom/timeline.hpp",
       "crew/", "fmt/"}},
-    {"engine/src/fill/", {"carom/", "fill/", "fmt/"}},
+    {"engine/src/fill/", {"carom/", "geometry/", "fill/", "fmt/"}},
     {"engine/src/json/", {"carom/text_sink.hpp", "json/", "fmt/"}},
     {"engine/src/scene/", {"carom/", "fill/", "json/", "scene/", "fmt/"}},
     {"engine/src/simulation",
@@ -58,8 +60,8 @@ const std::vector<Layer> kLayers{
 
 /// What the engine's inside is called in includes, and what has its one place.
 const std::vector<std::string> kNotForApp{
-    "state/",  "contact/", "effects/",  "solvers/", "crew/",    "numbers/", "trajectory/", "fill/",
-    "report/", "scene/",   "nlohmann/", "CLI/",     "curses.h", "ncurses",  "simulation"};
+    "state/", "contact/", "effects/", "solvers/",  "crew/", "numbers/", "geometry/", "trajectory/",
+    "fill/",  "report/",  "scene/",   "nlohmann/", "CLI/",  "curses.h", "ncurses",   "simulation"};
 
 bool is_ours(const std::string& included) {
   static const std::regex kSystem(

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "contact/pair_list.hpp"
+#include "geometry/cells.hpp"
 #include "state/domain.hpp"
 
 namespace carom {
@@ -23,7 +23,7 @@ class CellGrid {
   /// Sorts the balls into cells at least `cell` wide.
   void sort(const Balls& balls, const Domain& domain, double cell);
 
-  [[nodiscard]] std::size_t cells() const { return cells_[0] * cells_[1]; }
+  [[nodiscard]] std::size_t cells() const { return cells_.size(); }
 
   /// Adds to `pairs` those found from the cells [begin, end): two balls whose distance is less than
   /// the sum of their radii and `skin`, one of which moves.  Every pair is found from one cell.
@@ -35,13 +35,9 @@ class CellGrid {
   template <bool kPeriodic>
   void search(const Domain& domain, std::size_t begin, std::size_t end, double skin,
               PairList& pairs) const;
-  [[nodiscard]] std::size_t cell_of(std::size_t axis, double x) const;
 
-  std::array<std::size_t, 2> cells_{1, 1};
-  std::array<double, 2> origin_{0, 0};
-  std::array<double, 2> per_length_{0, 0};  // cells per unit of length
-  std::vector<std::uint32_t> starts_;       // by cell, row by row; one more at the end
-  std::vector<std::uint32_t> cell_;         // by ball
+  Cells cells_;
+  ByCell order_;
   // The balls, cell by cell.
   std::vector<double> x_;
   std::vector<double> y_;

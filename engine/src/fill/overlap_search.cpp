@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "fill/disk_grid.hpp"
+#include "geometry/cells.hpp"
 
 namespace carom::scene {
 
@@ -21,99 +22,69 @@ struct Sorted {
   double x = 0;
   double y = 0;
   double radius = 0;
-  std::uint32_t ball = 0;
   bool fixed = false;
 };
 
 /// Cells of one size over all balls, as wide as the largest ball or wider.
-class Cells {
- public:
-  Cells(const Box& box, const std::vector<Ball>& balls) : box_(box) {
-    Vec2 lower = balls.front().position;
-    Vec2 upper = lower;
-    double largest = 0;
-    for (const Ball& ball : balls) {
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        lower[axis] = std::min(lower[axis], ball.position[axis]);
-        upper[axis] = std::max(upper[axis], ball.position[axis]);
-      }
-      largest = std::max(largest, ball.radius);
-    }
-    std::array<double, 2> count{};
-    Vec2 size;
+Cells cells_over(const Box& box, const std::vector<Ball>& balls) {
+  Vec2 lower = balls.front().position;
+  Vec2 upper = lower;
+  double largest = 0;
+  for (const Ball& ball : balls) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      lower_[axis] = box.periodic[axis] ? box.lower()[axis] : lower[axis];
-      size[axis] = box.periodic[axis] ? box.size()[axis] : upper[axis] - lower[axis];
-      count[axis] = std::max(1.0, std::floor(size[axis] / (2 * largest * kWider)));
+      lower[axis] = std::min(lower[axis], ball.position[axis]);
+      upper[axis] = std::max(upper[axis], ball.position[axis]);
     }
-    const double most = 2 * static_cast<double>(balls.size()) + 16;
-    while (count[0] * count[1] > most) {
-      double& more = count[0] > count[1] ? count[0] : count[1];
-      more = std::max(1.0, std::floor(more / 2));
-    }
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      count_[axis] = static_cast<std::size_t>(count[axis]);
-      per_length_[axis] = size[axis] > 0 ? count[axis] / size[axis] : 0;
-    }
+    largest = std::max(largest, ball.radius);
   }
-
-  [[nodiscard]] std::size_t size() const { return count_[0] * count_[1]; }
-  [[nodiscard]] std::size_t of(const Vec2& position) const {
-    return index(1, position) * count_[0] + index(0, position);
-  }
-  /// The cell so many columns and rows away; none beyond the ends, but round a periodic axis.
-  [[nodiscard]] bool beside(std::size_t cell, int columns, int rows, std::size_t& other) const {
-    const std::array<int, 2> step{columns, rows};
-    std::array<std::size_t, 2> at{cell % count_[0], cell / count_[0]};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      if (step[axis] == 0) continue;
-      const bool at_end = step[axis] > 0 ? at[axis] + 1 == count_[axis] : at[axis] == 0;
-      if (at_end && !box_.periodic[axis]) return false;
-      if (step[axis] > 0) at[axis] = at_end ? 0 : at[axis] + 1;
-      if (step[axis] < 0) at[axis] = at_end ? count_[axis] - 1 : at[axis] - 1;
+  std::array<double, 2> count{};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (box.periodic[axis]) {
+      lower[axis] = box.lower()[axis];
+      upper[axis] = box.upper()[axis];
     }
-    other = at[1] * count_[0] + at[0];
-    return true;
+    count[axis] = std::max(1.0, std::floor((upper[axis] - lower[axis]) / (2 * largest * kWider)));
   }
-
- private:
-  [[nodiscard]] std::size_t index(std::size_t axis, const Vec2& position) const {
-    double along = position[axis] - lower_[axis];
-    if (box_.periodic[axis]) {
-      const double turn = along / box_.size()[axis];
-      along = (turn - std::floor(turn)) * box_.size()[axis];
-    }
-    const auto at = static_cast<std::size_t>(along * per_length_[axis]);
-    return std::min(at, count_[axis] - 1);
+  const double most = 2 * static_cast<double>(balls.size()) + 16;
+  while (count[0] * count[1] > most) {
+    double& more = count[0] > count[1] ? count[0] : count[1];
+    more = std::max(1.0, std::floor(more / 2));
   }
+  Cells cells;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    cells.divide(axis, lower[axis], upper[axis] - lower[axis], count[axis], box.periodic[axis]);
+  }
+  return cells;
+}
 
-  const Box& box_;
-  Vec2 lower_;
-  std::array<std::size_t, 2> count_{1, 1};
-  std::array<double, 2> per_length_{0, 0};
-};
+/// A coordinate in the box of a periodic axis; any other is left.
+double in_box(const Box& box, std::size_t axis, double x) {
+  if (!box.periodic[axis]) return x;
+  const double turn = (x - box.lower()[axis]) / box.size()[axis];
+  return box.lower()[axis] + (turn - std::floor(turn)) * box.size()[axis];
+}
 
-/// The balls in the order of their cells, and where each cell begins.
+/// The balls in the order of their cells.
 struct SortedBalls {
-  std::vector<std::uint32_t> begin;
+  ByCell order;
   std::vector<Sorted> balls;
 
-  SortedBalls(const Cells& cells, const std::vector<Ball>& all)
-      : begin(cells.size() + 1, 0), balls(all.size()) {
-    for (const Ball& ball : all) ++begin[cells.of(ball.position) + 1];
-    for (std::size_t cell = 0; cell < cells.size(); ++cell) begin[cell + 1] += begin[cell];
-    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-    for (std::uint32_t i = 0; i < all.size(); ++i) {
+  SortedBalls(const Box& box, const Cells& cells, const std::vector<Ball>& all)
+      : balls(all.size()) {
+    const auto cell_of = [&](std::size_t i) {
+      const Vec2& at = all[i].position;
+      return cells.at(in_box(box, 0, at.x()), in_box(box, 1, at.y()));
+    };
+    order.sort(cells.size(), all.size(), cell_of, [&](std::size_t i, std::uint32_t place) {
       const Ball& ball = all[i];
-      balls[next[cells.of(ball.position)]++] = {ball.position.x(), ball.position.y(), ball.radius,
-                                                i, ball.fixed};
-    }
+      balls[place] = {ball.position.x(), ball.position.y(), ball.radius, ball.fixed};
+    });
   }
 
-  [[nodiscard]] std::uint64_t pairs() const {
+  [[nodiscard]] std::uint64_t pairs(std::size_t cells) const {
     std::uint64_t sum = 0;
-    for (std::size_t cell = 0; cell + 1 < begin.size(); ++cell) {
-      const std::uint64_t count = begin[cell + 1] - begin[cell];
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+      const std::uint64_t count = order.end(cell) - order.begin(cell);
       sum += count * count;
     }
     return sum;
@@ -141,27 +112,29 @@ class Search {
 
 bool may_overlap(const Box& box, const std::vector<Ball>& balls) {
   if (balls.size() < 2) return false;
-  const Cells cells(box, balls);
-  const SortedBalls sorted(cells, balls);
-  if (sorted.pairs() > kMostPairs * balls.size()) return true;
+  const Cells cells = cells_over(box, balls);
+  const SortedBalls sorted(box, cells, balls);
+  if (sorted.pairs(cells.size()) > kMostPairs * balls.size()) return true;
   const Search search(box);
-  constexpr std::array<std::array<int, 2>, 4> kForward{{{1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
-  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    const std::uint32_t end = sorted.begin[cell + 1];
-    for (std::uint32_t i = sorted.begin[cell]; i < end; ++i) {
-      for (std::uint32_t j = i + 1; j < end; ++j) {
+  // Every pair of cells is looked at from the one with the lower number.
+  const auto look = [&](std::uint32_t cell, std::uint32_t other) {
+    for (std::uint32_t i = sorted.order.begin(cell); i < sorted.order.end(cell); ++i) {
+      const std::uint32_t first = cell == other ? i + 1 : sorted.order.begin(other);
+      for (std::uint32_t j = first; j < sorted.order.end(other); ++j) {
         if (search.overlap(sorted.balls[i], sorted.balls[j])) return true;
       }
     }
-    if (sorted.begin[cell] == end) continue;
-    for (const auto& [columns, rows] : kForward) {
-      std::size_t other = 0;
-      if (!cells.beside(cell, columns, rows, other)) continue;
-      for (std::uint32_t i = sorted.begin[cell]; i < end; ++i) {
-        for (std::uint32_t j = sorted.begin[other]; j < sorted.begin[other + 1]; ++j) {
-          if (i != j && search.overlap(sorted.balls[i], sorted.balls[j])) return true;
-        }
-      }
+    return false;
+  };
+  for (std::uint32_t row = 0; row < cells.count(1); ++row) {
+    for (std::uint32_t column = 0; column < cells.count(0); ++column) {
+      const std::uint32_t cell = cells.number(column, row);
+      if (sorted.order.begin(cell) == sorted.order.end(cell)) continue;
+      bool found = false;
+      cells.each_near(column, row, [&](std::uint32_t other) {
+        found = found || (other >= cell && look(cell, other));
+      });
+      if (found) return true;
     }
   }
   return false;

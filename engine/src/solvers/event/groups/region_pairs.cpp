@@ -5,54 +5,29 @@
 
 namespace carom::event {
 
-std::uint32_t RegionPairs::along(const Level& level, std::size_t axis, double x) const {
-  if (domain_.period[axis] > 0) x = domain_.wrapped(axis, x);
-  const double cells = (x - domain_.lower[axis]) * level.per_length[axis];
-  return static_cast<std::uint32_t>(std::clamp(cells, 0.0, level.count[axis] - 1.0));
+std::array<Cells::Number, 2> RegionPairs::place(const Level& level, const Bounds& region) const {
+  std::array<Cells::Number, 2> place{};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double x = region.centre[axis];
+    place[axis] = level.cells.along(axis, domain_.period[axis] > 0 ? domain_.wrapped(axis, x) : x);
+  }
+  return place;
 }
 
-void RegionPairs::fill(Level& level, double size, const std::vector<Bounds>& regions) {
+void RegionPairs::sort(Level& level, double size, const std::vector<Bounds>& regions) const {
   const double most = 2 * std::sqrt(static_cast<double>(level.balls.size())) + 1;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double length = domain_.upper[axis] - domain_.lower[axis];
-    level.count[axis] = static_cast<std::uint32_t>(std::clamp(length / size, 1.0, most));
-    level.per_length[axis] = level.count[axis] / length;
+    level.cells.divide(axis, domain_.lower[axis], length, std::min(length / size, most),
+                       domain_.period[axis] > 0);
   }
-  level.starts.assign(std::size_t{level.count[0]} * level.count[1] + 1, 0);
-  const auto cell_of = [&](std::uint32_t i) {
-    return along(level, 1, regions[i].centre[1]) * level.count[0] +
-           along(level, 0, regions[i].centre[0]);
+  const std::vector<std::uint32_t> given = level.balls;
+  const auto cell_of = [&](std::size_t k) {
+    const auto [column, row] = place(level, regions[given[k]]);
+    return level.cells.number(column, row);
   };
-  for (const std::uint32_t i : level.balls) ++level.starts[cell_of(i) + 1];
-  for (std::size_t c = 1; c < level.starts.size(); ++c) level.starts[c] += level.starts[c - 1];
-  std::vector<std::uint32_t> at(level.starts.begin(), level.starts.end() - 1);
-  std::vector<std::uint32_t> sorted(level.balls.size());
-  for (const std::uint32_t i : level.balls) sorted[at[cell_of(i)]++] = i;
-  level.balls = std::move(sorted);
-}
-
-// A cell is no narrower than the two regions and radii of two balls of this level, or of one and a
-// smaller one: what is near is in the cell or in those around it.
-template <class Visit>
-void RegionPairs::each_near(const Level& level, const Bounds& region, Visit visit) const {
-  std::array<std::array<std::uint32_t, 3>, 2> at{};
-  std::array<std::size_t, 2> many{};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const std::uint32_t count = level.count[axis];
-    const std::uint32_t middle = along(level, axis, region.centre[axis]);
-    const bool round = domain_.period[axis] > 0 && count >= 3;
-    at[axis][many[axis]++] = middle;
-    if (middle > 0 || round) at[axis][many[axis]++] = (middle + count - 1) % count;
-    if (middle + 1 < count || round) at[axis][many[axis]++] = (middle + 1) % count;
-  }
-  for (std::size_t row = 0; row < many[1]; ++row) {
-    for (std::size_t column = 0; column < many[0]; ++column) {
-      const std::size_t cell = std::size_t{at[1][row]} * level.count[0] + at[0][column];
-      for (std::uint32_t k = level.starts[cell]; k < level.starts[cell + 1]; ++k) {
-        visit(level.balls[k]);
-      }
-    }
-  }
+  level.order.sort(level.cells.size(), given.size(), cell_of,
+                   [&](std::size_t k, std::uint32_t at) { level.balls[at] = given[k]; });
 }
 
 void RegionPairs::build(const std::vector<Bounds>& regions, const std::vector<double>& radii,
@@ -81,17 +56,26 @@ void RegionPairs::build(const std::vector<Bounds>& regions, const std::vector<do
     levels_[level_of_[i]].balls.push_back(static_cast<std::uint32_t>(i));
     largest[level_of_[i]] = std::max(largest[level_of_[i]], size(i));
   }
+  // A cell is no narrower than the two regions and radii of two balls of its level, or of one and a
+  // smaller one: what is near is in the cell or in those around it.
   for (std::uint32_t l = 0; l < levels; ++l) {
-    if (!levels_[l].balls.empty()) fill(levels_[l], 2 * largest[l] * (1 + 0x1p-20), regions);
+    if (!levels_[l].balls.empty()) sort(levels_[l], 2 * largest[l] * (1 + 0x1p-20), regions);
   }
   for (std::uint32_t i = 0; i < n; ++i) {
     for (std::uint32_t l = level_of_[i]; l < levels; ++l) {
-      if (levels_[l].balls.empty()) continue;
-      each_near(levels_[l], regions[i], [&](std::uint32_t j) {
+      const Level& level = levels_[l];
+      if (level.balls.empty()) continue;
+      const auto look = [&](std::uint32_t j) {
         if (l == level_of_[i] && j <= i) return;  // it is found from the other
         if (fixed[i] != 0 && fixed[j] != 0) return;
         if (!regions[i].near(regions[j], (radii[i] + radii[j]) * wider, domain_.period)) return;
         pairs_.push_back(fixed[i] != 0 ? RegionPair{j, i} : RegionPair{i, j});
+      };
+      const auto [column, row] = place(level, regions[i]);
+      level.cells.each_near(column, row, [&](std::uint32_t cell) {
+        for (std::uint32_t k = level.order.begin(cell); k < level.order.end(cell); ++k) {
+          look(level.balls[k]);
+        }
       });
     }
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/cells.hpp"
 #include "state/domain.hpp"
 
 namespace carom::event {
@@ -58,16 +59,14 @@ class RegionPairs {
 
  private:
   struct Level {
-    std::array<std::uint32_t, 2> count{1, 1};
-    std::array<double, 2> per_length{0, 0};
-    std::vector<std::uint32_t> starts;  // by cell; one more at the end
-    std::vector<std::uint32_t> balls;   // cell by cell
+    Cells cells;
+    ByCell order;
+    std::vector<std::uint32_t> balls;  // cell by cell
   };
 
-  [[nodiscard]] std::uint32_t along(const Level& level, std::size_t axis, double x) const;
-  void fill(Level& level, double size, const std::vector<Bounds>& regions);
-  template <class Visit>
-  void each_near(const Level& level, const Bounds& region, Visit visit) const;
+  void sort(Level& level, double size, const std::vector<Bounds>& regions) const;
+  /// Column and row of the middle of a region.
+  [[nodiscard]] std::array<Cells::Number, 2> place(const Level& level, const Bounds& region) const;
 
   Domain domain_;
   std::vector<Level> levels_;
