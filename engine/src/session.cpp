@@ -32,27 +32,23 @@ bool is_off(const Attraction& attraction) {
 Session::Session(Scene scene)
     : scene_(std::move(scene)), simulation_(scene_), when_on_(scene_.effects) {
   if (!scene_.continuation) return;
-  clock_ = scene_.continuation->clock;
-  paused_ = scene_.continuation->paused;
-  const double time = scene_.continuation->time;
-  const bool never_paused = clock_ == time;
-  clock_origin_ = scene_.continuation->clock_origin.value_or(never_paused ? 0 : clock_);
-  time_origin_ = scene_.continuation->time_origin.value_or(never_paused ? 0 : time);
-  while (next_line_ < scene_.script.size() && scene_.script[next_line_].at < clock_) ++next_line_;
+  clock_ = FrameClock(*scene_.continuation);
+  while (next_line_ < scene_.script.size() && scene_.script[next_line_].at < clock_.now())
+    ++next_line_;
 }
 
 void Session::advance_clock_to(double clock) {
   while (!quit_ && next_line() && *next_line() <= clock) {
     const ScriptLine& line = scene_.script[next_line_++];
-    move_clock_to(std::max(clock_, line.at));
+    move_clock_to(std::max(clock_.now(), line.at));
     apply(line.command);
   }
   if (!quit_) move_clock_to(clock);
 }
 
 void Session::move_clock_to(double clock) {
-  clock_ = clock;
-  if (!paused_) simulation_.advance_to(time_origin_ + (clock_ - clock_origin_));
+  clock_.move_to(clock);
+  if (!clock_.paused()) simulation_.advance_to(clock_.time());
 }
 
 void Session::nudge(double seconds) {
@@ -61,15 +57,14 @@ void Session::nudge(double seconds) {
 
 void Session::nudge_to(double time) {
   simulation_.advance_to(time);
-  start_time_here();
+  clock_.start_at(simulation_.time());
 }
 
 void Session::apply(const Command& command) {
   if (std::holds_alternative<command::Pause>(command)) {
-    paused_ = true;
+    clock_.pause();
   } else if (std::holds_alternative<command::Resume>(command)) {
-    if (paused_) start_time_here();
-    paused_ = false;
+    clock_.resume(simulation_.time());
   } else if (std::holds_alternative<command::Quit>(command)) {
     quit_ = true;
   } else {
@@ -82,11 +77,6 @@ void Session::apply(const Command& command) {
       });
     }
   }
-}
-
-void Session::start_time_here() {
-  clock_origin_ = clock_;
-  time_origin_ = simulation_.time();
 }
 
 std::optional<Session::Switch> Session::switch_of(std::string_view effect) const {
@@ -108,7 +98,7 @@ std::optional<double> Session::next_line() const {
 }
 
 bool Session::stuck() const {
-  return paused_ && !next_line();
+  return clock_.paused() && !next_line();
 }
 
 Scene Session::save() const {
@@ -118,12 +108,7 @@ Scene Session::save() const {
 SceneStream Session::save_stream() const {
   SceneStream stream = simulation_.save_stream();
   Scene& scene = stream.head;
-  scene.continuation->clock = clock_;
-  scene.continuation->paused = paused_;
-  if (!paused_ && (clock_origin_ != 0 || time_origin_ != 0)) {
-    scene.continuation->clock_origin = clock_origin_;
-    scene.continuation->time_origin = time_origin_;
-  }
+  clock_.save(*scene.continuation);
   scene.script.assign(scene_.script.begin() + static_cast<std::ptrdiff_t>(next_line_),
                       scene_.script.end());
   return stream;

@@ -5,15 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "carom/frame_clock.hpp"
 #include "carom/simulation.hpp"
 
 namespace carom {
 
 /// A simulation on its frame clock: script, pause and quit.  `play` and `run` both drive this.
 ///
-/// The frame clock counts frames / frame_rate and runs on while paused; simulated time is the clock
-/// less the time spent paused: time_origin + (clock - clock_origin), both taken when the last pause
-/// ended, so that it depends on no frame rate.  Script lines take effect exactly at their time,
+/// The frame clock counts frames / frame_rate.  Script lines take effect exactly at their time,
 /// between frames, so that the trajectory depends on no frame rate.
 ///
 /// Threads: the control thread only.
@@ -30,15 +29,15 @@ class Session {
   /// Obeys a command now.
   void apply(const Command& command);
 
-  [[nodiscard]] bool paused() const { return paused_; }
+  [[nodiscard]] bool paused() const { return clock_.paused(); }
   [[nodiscard]] bool quit() const { return quit_; }
   /// When the next line of the script is due, on the frame clock; none is left: none.
   [[nodiscard]] std::optional<double> next_line() const;
   /// Paused, and no line of the script is left that could change it.
   [[nodiscard]] bool stuck() const;
-  [[nodiscard]] double clock() const { return clock_; }
+  [[nodiscard]] double clock() const { return clock_.now(); }
   /// The frame clock at a simulated time, if no pause comes before.
-  [[nodiscard]] double clock_at(double time) const { return clock_origin_ + (time - time_origin_); }
+  [[nodiscard]] double clock_at(double time) const { return clock_.at(time); }
 
   /// The effects with the values they last had while they were on; those of the scene at first.
   [[nodiscard]] const Effects& effects_when_on() const { return when_on_; }
@@ -72,14 +71,10 @@ class Session {
 
  private:
   void move_clock_to(double clock);
-  void start_time_here();
 
   Scene scene_;
   Simulation simulation_;
-  double clock_ = 0;
-  double clock_origin_ = 0;  // when the last pause ended
-  double time_origin_ = 0;
-  bool paused_ = false;
+  FrameClock clock_;
   bool quit_ = false;
   Effects when_on_;
   std::size_t next_line_ = 0;

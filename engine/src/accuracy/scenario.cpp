@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "carom/frame_clock.hpp"
 #include "carom/simulation.hpp"
 
 namespace carom::accuracy {
@@ -28,21 +29,23 @@ Scenario scenario_of(const Scene& scene, std::optional<double> time) {
   scenario.start.script.clear();
   scenario.start.continuation.reset();
 
-  // The frame clock runs on while paused; simulated time is the clock less that.
-  const Continuation past = scene.continuation.value_or(Continuation{});
-  double clock = past.clock;
-  double stood_still = 0;
-  bool paused = past.paused;
+  FrameClock clock;
+  double start = 0;
+  if (scene.continuation) {
+    clock = FrameClock(*scene.continuation);
+    start = scene.continuation->time;
+  }
+  double simulated = start;
   for (const ScriptLine& line : scene.script) {
-    if (line.at < past.clock) continue;
-    if (paused) stood_still += line.at - clock;
-    clock = line.at;
-    const double at = line.at - past.clock - stood_still;
+    if (line.at < clock.now()) continue;
+    clock.move_to(line.at);
+    if (!clock.paused()) simulated = clock.time();
+    const double at = simulated - start;
     if (at > scenario.end) return scenario;
     if (std::holds_alternative<command::Pause>(line.command)) {
-      paused = true;
+      clock.pause();
     } else if (std::holds_alternative<command::Resume>(line.command)) {
-      paused = false;
+      clock.resume(simulated);
     } else if (std::holds_alternative<command::Quit>(line.command)) {
       scenario.end = at;
       return scenario;
@@ -50,7 +53,7 @@ Scenario scenario_of(const Scene& scene, std::optional<double> time) {
       scenario.commands.push_back({at, line.command});
     }
   }
-  if (paused) scenario.end = std::min(scenario.end, clock - past.clock - stood_still);
+  if (clock.paused()) scenario.end = std::min(scenario.end, simulated - start);
   return scenario;
 }
 
