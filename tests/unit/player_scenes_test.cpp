@@ -4,12 +4,28 @@
 #include <string>
 #include <vector>
 
+#include "carom/scene_file.hpp"
 #include "unit/one_ball.hpp"
 #include "unit/stage.hpp"
 #include "view/player.hpp"
 
 namespace carom {
 namespace {
+
+/// A library of two scenes, of which one cannot be played.
+Settings with_library() {
+  Settings settings;
+  settings.scene_library.names = {"good", "bad"};
+  settings.scene_library.load = [](const std::string& name) {
+    Scene scene = one_ball();
+    scene.name = name;
+    scene.about = "about the " + name + " one";
+    if (name == "bad") throw SceneError("bad.json", {{"/balls", "this one is bad"}});
+    scene.balls.push_back({{8, 5}, {0, 1}});
+    return scene;
+  };
+  return settings;
+}
 
 TEST(Player, PlaysTheSceneThatIsChosenFromTheList) {
   Stage stage;

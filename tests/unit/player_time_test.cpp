@@ -132,20 +132,5 @@ TEST(Player, TheBarOfTimeIsShownWhilePausedAndLeadsBack) {
   EXPECT_TRUE(stage.at(2.4).says("  1.00 s  paused")) << stage.at(2.4).text;
 }
 
-/// A library of two scenes, of which one cannot be played.
-Settings with_library() {
-  Settings settings;
-  settings.scene_library.names = {"good", "bad"};
-  settings.scene_library.load = [](const std::string& name) {
-    Scene scene = one_ball();
-    scene.name = name;
-    scene.about = "about the " + name + " one";
-    if (name == "bad") throw SceneError("bad.json", {{"/balls", "this one is bad"}});
-    scene.balls.push_back({{8, 5}, {0, 1}});
-    return scene;
-  };
-  return settings;
-}
-
 }  // namespace
 }  // namespace carom
