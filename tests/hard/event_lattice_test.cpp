@@ -20,7 +20,7 @@ struct Lattice {
   std::vector<Ball> balls;
 };
 
-Lattice lattice(unsigned seed) {
+Lattice lattice(unsigned seed, double unit = 1) {
   std::mt19937 random(seed);
   const auto below = [&random](int n) {
     return static_cast<int>(random() % static_cast<unsigned>(n));
@@ -29,7 +29,8 @@ Lattice lattice(unsigned seed) {
   const int height = 2 + below(5);
   const Vec2 pulls[] = {{0, -10}, {0, -1}, {2, -0.5}, {1, 0}, {0.5, -4}, {0, 0}};
   Lattice result;
-  result.scene = test::contact_box(width + 0.25, height + 0.25, 1, pulls[below(6)]);
+  result.scene =
+      test::contact_box(unit * (width + 0.25), unit * (height + 0.25), 1, unit * pulls[below(6)]);
   const int share = 1 + below(9);
   const int fixed = below(3);
   for (int x = 0; x < width; ++x) {
@@ -39,6 +40,9 @@ Lattice lattice(unsigned seed) {
                                  : test::contact_ball(x + 0.5, y + 0.5);
       if (!b.fixed && below(2) == 0) b.velocity = {1.0 * (below(5) - 2), 1.0 * (below(5) - 2)};
       b.mass = std::ldexp(1.0, below(3));
+      b.position *= unit;
+      b.velocity *= unit;
+      b.radius *= unit;
       result.balls.push_back(b);
     }
   }
@@ -62,20 +66,35 @@ TEST(EventContact, elastic_lattices_end_and_keep_their_energy) {
   }
 }
 
-TEST(EventContact, the_order_of_the_balls_changes_no_bit_of_a_lattice) {
-  for (unsigned seed = 0; seed < 80; ++seed) {
+/// Where balls are at the end, and how fast, in the units and the order of `start`.
+void expect_same_end(const Lattice& start, const std::vector<std::size_t>& from, double unit,
+                     const test::ContactOutcome& wanted, unsigned seed) {
+  std::vector<Ball> balls;
+  for (const std::size_t k : from) balls.push_back(start.balls[k]);
+  const test::ContactOutcome end = test::run_contact(start.scene, balls, 2);
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const Ball& one = wanted.balls[from[k]];
+    EXPECT_EQ(unit * one.position, end.balls[k].position) << seed << ' ' << from[k] << ' ' << unit;
+    EXPECT_EQ(unit * one.velocity, end.balls[k].velocity) << seed << ' ' << from[k] << ' ' << unit;
+  }
+}
+
+// What happens at one instant is decided for all of it at once, so no order and no unit shows.
+// Seen to fail where what was resolved at an instant was taken back together (213, 642, 1052),
+// where impulses were looked for that do not exist until numbers overflowed (504, 574), and where a
+// flight began at one of two fixed balls, whichever was listed last (2243).
+TEST(EventContact, neither_order_nor_unit_changes_a_bit_of_a_lattice) {
+  std::vector<unsigned> seeds{504, 574, 642, 1052, 2243};
+  for (unsigned seed = 0; seed < 300; ++seed) seeds.push_back(seed);
+  for (const unsigned seed : seeds) {
     const Lattice start = lattice(seed);
+    const test::ContactOutcome end = test::run_contact(start.scene, start.balls, 2);
     std::vector<std::size_t> from(start.balls.size());
     std::iota(from.begin(), from.end(), 0U);
     std::mt19937 random(seed);
-    std::shuffle(from.begin(), from.end(), random);
-    std::vector<Ball> others;
-    for (const std::size_t k : from) others.push_back(start.balls[k]);
-    const test::ContactOutcome one = test::run_contact(start.scene, start.balls, 1);
-    const test::ContactOutcome other = test::run_contact(start.scene, others, 1);
-    for (std::size_t k = 0; k < from.size(); ++k) {
-      EXPECT_EQ(one.balls[from[k]].position, other.balls[k].position) << seed << ' ' << k;
-      EXPECT_EQ(one.balls[from[k]].velocity, other.balls[k].velocity) << seed << ' ' << k;
+    for (const double unit : {0.125, 1.0, 1024.0}) {
+      expect_same_end(lattice(seed, unit), from, unit, end, seed);
+      std::shuffle(from.begin(), from.end(), random);
     }
   }
 }

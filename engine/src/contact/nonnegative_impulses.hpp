@@ -16,10 +16,13 @@ S product(const std::vector<S>& a, const std::vector<S>& b, const std::vector<ch
   return sum.rounded();
 }
 
+/// What remains of equations that have a solution may grow by so much on the way to it.
+inline constexpr double kGrowth = 0x1p40;
+
 /// Impulses at the `active` contacts that bring their parting speeds from `parting` to zero:
 /// conjugate gradients, preconditioned by each contact's own mobility. Where more contacts hold a
-/// body than it has freedoms, the equations are consistent all the same (parting comes from a
-/// motion) and the smallest solution is found.
+/// body than it has freedoms, the equations are consistent if parting comes from a motion, and the
+/// smallest solution is found; else what remains grows in the end, and the nearest is taken.
 template <class S>
 std::vector<S> stopping_impulses(const ContactGraph<S>& graph, const std::vector<S>& parting,
                                  const std::vector<char>& active) {
@@ -38,6 +41,8 @@ std::vector<S> stopping_impulses(const ContactGraph<S>& graph, const std::vector
     std::vector<S> step = scaled;
     S size = product(rest, scaled, active);
     const S goal = size * u * u;
+    S least = size;
+    std::vector<S> best = impulses;
     for (std::size_t k = 0; k < 2 * n + 4 && size > goal; ++k) {
       const std::vector<S> change = graph.response(step);
       const S curvature = product(step, change, active);
@@ -55,6 +60,13 @@ std::vector<S> stopping_impulses(const ContactGraph<S>& graph, const std::vector
         if (active[c]) step[c] = scaled[c] + turn * step[c];
       }
       size = next;
+      if (size < least) {
+        least = size;
+        best = impulses;
+      } else if (!(size <= kGrowth * least)) {
+        impulses = best;
+        break;
+      }
     }
   }
   return impulses;

@@ -21,6 +21,7 @@
 #include "solvers/event/tile_log_body.hpp"
 #include "solvers/event/tile_rest_body.hpp"
 #include "solvers/event/tile_search_body.hpp"
+#include "solvers/event/tile_undo_body.hpp"
 
 /// The whole method compiled for one Physics: a source file for each.
 #define CAROM_COMPILE_EVENT(PHYSICS)                    \

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -29,10 +30,11 @@ class EnergyBook {
   void forget() { noted_ = 0; }
   /// From here on what is kept can be taken back.
   void begin_instant() { kept_.clear(); }
-  void take_back() {
-    for (const double lost : kept_) sum_.add(-lost);
-    kept_.clear();
-    noted_ = 0;
+  /// How often something was kept since then.
+  [[nodiscard]] std::size_t kept() const { return kept_.size(); }
+  /// Takes back what was kept from number `first` on, up to `last`.
+  void take_back(std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) sum_.add(-std::exchange(kept_[k], 0));
   }
   /// Of a flight that has ended; a part of it that was counted too much is taken off.
   void add_drag(double lost) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -160,6 +161,7 @@ class Tile {
   void announce(Index i) { agenda_.add(disks_[i].due(), i); }
   void start_agenda(At now, double area);
   void take(const Entry& entry);
+  [[nodiscard]] const Entry* first_event(At until);
   void fetch(std::span<const Entry> entries, std::span<const Entry> next,
              std::span<const Entry> after_next) const;
 
@@ -168,6 +170,9 @@ class Tile {
 
   // Impacts: tile_impact_body.hpp.
   void meet(Index i, At now);
+  [[nodiscard]] bool moves(Index partner) const {
+    return partner < kFirstMark && !motion_.fixed(disks_[partner]);
+  }
   void meet_alone(Index i, Index partner, At now);
   void forget(Index i);
   void look_again(Index i, At now);
@@ -227,18 +232,33 @@ class Tile {
     S spin;
     Index left;
   };
+  /// What resolving one group of balls did, beside their flights; of an instant, in turn.
+  struct Resolution {
+    int set;  ///< the first of those that share balls, or another that leads to it
+    Counts counts;
+    std::size_t kept;  ///< by the book
+    std::size_t log;
+    Counts counts_after;
+    std::size_t kept_after;
+    std::size_t log_after;
+  };
   void begin_instant();
+  /// What is remembered, counted, kept and noted until the next end belongs to one group.
+  void begin_resolution();
+  void end_resolution();
+  [[nodiscard]] int set_of(Index i);
   /// Counts an impact of the ball at the present instant; gives how many there are by now.
   int count_hit(Index i) {
     if (hits_[i]++ == 0) hit_.push_back(i);
     return hits_[i];
   }
-  [[nodiscard]] bool is_past(Index i) const { return is_past_[i] != 0; }
+  [[nodiscard]] bool is_past(Index i) const { return resolution_of_[i] >= 0; }
   void remember(Index i);
-  /// Takes back all impacts of the present instant, and gives the balls that they had.
-  [[nodiscard]] std::vector<Index> take_back();
+  /// Takes back what was resolved with these balls at the present instant; adds the balls to them.
+  void take_back(std::vector<Index>& balls);
+  void take_back(const Resolution& resolution);
   /// Whether the ball, looked at only now, meets at this instant one that has been hit at it; then
-  /// both are resolved.
+  /// both wait to be resolved.
   [[nodiscard]] bool is_late(Index i, At now);
   [[nodiscard]] bool comes_nearer(Index i, Index partner, At now) const;
   void note_tie(At at, Index i, Index other) const {
@@ -247,7 +267,15 @@ class Tile {
   }
   [[nodiscard]] bool tied(Index i, Index partner, At now);
   [[nodiscard]] bool meets_another(Index i, Index partner, At now) const;
-  void meet_jointly(Index i, Index partner, At now);
+  /// What meets at the present instant, as far as it is known: all of it at once, so that no order
+  /// of the balls shows.
+  void resolve_waiting();
+  [[nodiscard]] std::optional<bool> is_joint(Index i, Index partner, At now);
+  using Pair = std::pair<Index, Index>;  ///< a ball, and what it meets
+  void resolve_together(std::vector<Pair> alone, const std::vector<Pair>& joint, At now);
+  [[nodiscard]] std::vector<Instant> groups_of(std::vector<Index>& looked_for, At now);
+  void resolve_alone(Index i, Index partner, At now);
+  void look_again_at_changed(At now);
   /// All that touches at this instant, over balls that can move, from these on; takes from `seeds`
   /// those that it has found.
   [[nodiscard]] Instant touching(std::vector<Index>& seeds, At now);
@@ -297,6 +325,8 @@ class Tile {
   [[nodiscard]] CrowdEnergy energy_of(const Gathering& crowd, double span) const;
   [[nodiscard]] double loss_of(const Gathering& crowd, double had, double span) const;
   bool keep_energy(Gathering& crowd, double had, double span) const;
+  [[nodiscard]] bool can_go(const Gathering& crowd, double a, double span) const;
+  void note_held(const Gathering& crowd, double lost);
 
   // Impacts of crowds: tile_crowd_hit_body.hpp.
   /// What of a crowd meets at an instant.
@@ -311,7 +341,6 @@ class Tile {
     std::uint64_t balls = 0;
   };
   [[nodiscard]] bool is_hit_of_crowd(Index i, Index partner, At now) const;
-  [[nodiscard]] bool hit_crowd(Index i, Index partner, At now);
   void hit_crowds(std::vector<std::vector<Index>> hits, At now);
   void settle_pressed();
   void hit_crowd(Gathering& crowd, At now);
@@ -359,20 +388,20 @@ class Tile {
   mutable std::set<std::pair<Time, Index>> ties_;  ///< when impacts may share a ball, and which
   Time instant_ = 0;                               ///< of the last impact
   std::vector<Past> past_;                         ///< the balls that were hit at that instant
-  std::vector<char> is_past_;                      ///< by ball
-  std::vector<std::pair<Index, Index>> linked_;  ///< what met at that instant, after a blow or not
-  std::vector<std::pair<Index, Index>>
-      resolved_;                                  ///< contacts of the joint impacts at that instant
-  std::vector<std::pair<Index, Index>> pressed_;  ///< what is to come to rest at that instant
-  Counts past_counts_;                            ///< before that instant
-  std::size_t past_log_ = 0;
-  std::size_t at_once_ = 0;    ///< impacts at that instant
-  std::vector<int> hits_;      ///< the same by ball
-  std::vector<Index> hit_;     ///< balls of which there are any
-  Time watched_from_ = 0;      ///< impacts are counted from here
-  std::uint64_t watched_ = 0;  ///< since then
-  int jams_ = 0;               ///< since then: too many impacts
-  int jammed_at_ = 0;          ///< what `jams_` was when it last ended
+  std::vector<Resolution> resolutions_;            ///< of that instant
+  std::vector<int> resolution_of_;                 ///< by ball; -1: it was not hit
+  std::vector<Pair> waiting_;                      ///< impacts at that instant still to come
+  std::vector<Pair> linked_;    ///< what met at that instant, after a blow or not
+  std::vector<Pair> resolved_;  ///< contacts of the joint impacts at that instant
+  std::vector<Pair> pressed_;   ///< what is to come to rest at that instant
+  std::vector<Index> changed_;  ///< balls whose next impact is to be looked for
+  std::size_t at_once_ = 0;     ///< impacts at that instant
+  std::vector<int> hits_;       ///< the same by ball
+  std::vector<Index> hit_;      ///< balls of which there are any
+  Time watched_from_ = 0;       ///< impacts are counted from here
+  std::uint64_t watched_ = 0;   ///< since then
+  int jams_ = 0;                ///< since then: too many impacts
+  int jammed_at_ = 0;           ///< what `jams_` was when it last ended
 };
 
 }  // namespace carom::event

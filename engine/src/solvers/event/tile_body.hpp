@@ -55,7 +55,10 @@ void Tile<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<In
   jammed_at_ = 0;
   next_step_ = P::Clock::never();
   stepped_ = now;
-  is_past_.assign(n, 0);
+  resolution_of_.assign(n, -1);
+  resolutions_.clear();
+  waiting_.clear();
+  changed_.clear();
   hits_.assign(n, 0);
   hit_.clear();
   past_.clear();
@@ -121,43 +124,36 @@ void Tile<P>::take(const Entry& entry) {
 }
 
 template <class P>
-void Tile<P>::advance_to(At until) {
+auto Tile<P>::first_event(At until) -> const Entry* {
   const auto wanted = [this](const Entry& entry) { return disks_[entry.ball].due() == entry.time; };
   const auto prepare = [this](std::span<const Entry> entries, std::span<const Entry> next,
                               std::span<const Entry> after_next) {
     fetch(entries, next, after_next);
   };
-  while (motion_.hops()) {
+  return agenda_.first(until, wanted, prepare);
+}
+
+template <class P>
+void Tile<P>::advance_to(At until) {
+  for (;;) {
     const Time at = std::min(next_step_, Time(until));
-    const Entry* next = agenda_.first(at, wanted, prepare);
-    if (!pressed_.empty() && !(next != nullptr && next->time == instant_)) {
+    const Entry* next = first_event(at);
+    const bool same = next != nullptr && next->time == instant_;
+    if (!same && !waiting_.empty()) {
+      resolve_waiting();
+    } else if (!same && !pressed_.empty()) {
       settle_pressed();
-      continue;
-    }
-    if (next != nullptr) {
+    } else if (next != nullptr) {
       const Entry entry = *next;
       agenda_.drop_first();
-      if (wanted(entry)) take(entry);
+      if (disks_[entry.ball].due() == entry.time) take(entry);
     } else if (next_step_ <= until) {
       next_step_ = P::Clock::never();
       stepped_ = at;
       step_crowds(at);
     } else {
-      reached_ = until;
-      keep_slides();
-      return;
+      break;
     }
-  }
-  for (;;) {
-    const Entry* next = agenda_.first(until, wanted, prepare);
-    if (!pressed_.empty() && !(next != nullptr && next->time == instant_)) {
-      settle_pressed();
-      continue;
-    }
-    if (next == nullptr) break;
-    const Entry entry = *next;
-    agenda_.drop_first();
-    if (wanted(entry)) take(entry);
   }
   reached_ = until;
   keep_slides();

@@ -18,7 +18,10 @@ template <class P>
   event.other_before = at_ball ? disks_[event.partner] : event.before;
 
   const double crowds = crowd_seconds_;
-  double whole = seconds_of([&] { next_event(i, now); });
+  double whole = seconds_of([&] {
+    next_event(i, now);
+    if (!waiting_.empty() && first_event(now) == nullptr) resolve_waiting();
+  });
   whole -= crowd_seconds_ - crowds;
 
   event.after = disks_[i];

@@ -42,13 +42,15 @@ bool Tile<P>::keep_energy(Gathering& crowd, double had, double span) const {
   const double rest = keeps ? had : had - now.others;
   const bool only_less = !keeps || gives_up();
   if ((only_less && !(now.all() > had)) || !(moving > 0)) return false;
-  // moving a^2 - ahead a = rest, for the largest a, or the one next to 1
+  // moving a^2 - ahead a = rest, for the largest a, or the one next to 1 if both are positive
   const double half = now.ahead / 2;
   const double square = half * half + moving * rest;
   double a = square > 0 ? (half + std::sqrt(square)) / moving : 0.0;
   if (keeps && square > 0) {
     const double other = (half - std::sqrt(square)) / moving;
-    if (std::abs(other - 1) < std::abs(a - 1)) a = other;
+    const bool nearer = std::abs(other - 1) < std::abs(a - 1);
+    // What slides up and is about to come down goes faster; what is only pressed does not.
+    if (nearer && (other > 0 || !can_go(crowd, a, span))) a = other;
   }
   a = std::max(a, 0.0);
   if (keeps ? a == 1 : !(a < 1)) return false;
@@ -61,12 +63,33 @@ bool Tile<P>::keep_energy(Gathering& crowd, double had, double span) const {
   return true;
 }
 
+// Whether no contact closes beyond touching if all go `a` times as fast.
+template <class P>
+bool Tile<P>::can_go(const Gathering& crowd, double a, double span) const {
+  const double touching = kTouching * motion_.largest_radius();
+  for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+    if (a * approach(crowd, k) * span > crowd.contacts[k].gap + touching) return false;
+  }
+  return true;
+}
+
 // What the contacts of a crowd have taken is what it has less. That may be less than nothing: a
 // ball that joins is given ahead a fall that a contact found later at the same instant takes back.
 template <class P>
 double Tile<P>::loss_of(const Gathering& crowd, double had, double span) const {
   // What was lifted onto a wall has that much more, which nothing took.
   return (had - energy_of(crowd, span).all()) / 2 - crowd.lifted;
+}
+
+// Where nothing takes energy, what a crowd has lost beyond what its resting balls had is held by
+// contacts that cannot move: they are jammed.
+template <class P>
+void Tile<P>::note_held(const Gathering& crowd, double lost) {
+  if (!motion_.keeps_energy()) return;
+  const double still = kStill * kStill * static_cast<double>(motion_.speed_of_step());
+  double most = 0;
+  for (const CrowdBody& body : crowd.bodies) most += still * still / body.inverse_mass;
+  if (std::abs(lost) > most) ++counts_.jammed;
 }
 
 template <class P>

@@ -24,42 +24,45 @@ bool Tile<P>::is_hit_of_crowd(Index i, Index partner, At now) const {
   return motion_.clings(disks_[i], other, r, now);
 }
 
-// Whether this impact is one of a crowd; then it is done.
-template <class P>
-bool Tile<P>::hit_crowd(Index i, Index partner, At now) {
-  if (!is_hit_of_crowd(i, partner, now)) return false;
-  Gathering crowd;
-  join(crowd, i, now);
-  if (partner < kFirstMark && !motion_.fixed(disks_[partner])) join(crowd, partner, now);
-  hit_crowd(crowd, now);
-  return true;
-}
-
-// Balls that meet something at one instant; those of one crowd are resolved together.
+// Balls that meet something at one instant; those of one crowd are resolved together. All are
+// gathered before any is resolved.
 template <class P>
 void Tile<P>::hit_crowds(std::vector<std::vector<Index>> hits, At now) {
-  if (hits.size() > 1) {
-    std::vector<std::size_t> owner(disks_.size(), hits.size());
-    for (std::size_t k = 0; k < hits.size(); ++k) {
-      Gathering crowd;
-      for (const Index m : hits[k]) join(crowd, m, now);
-      gather(crowd, now);
-      for (const Index m : crowd.members) {
-        number_[m] = -1;
-        const std::size_t first = std::exchange(owner[m], k);
-        if (first == k || first == hits.size()) continue;
-        for (const Index moved : std::exchange(hits[first], {})) hits[k].push_back(moved);
-        std::replace(owner.begin(), owner.end(), first, k);
-      }
-    }
-  }
-  for (const std::vector<Index>& members : hits) {
-    if (members.empty()) continue;
+  if (hits.empty()) return;
+  const Stopwatch stopwatch(true, crowd_seconds_);
+  const auto gathered = [&](const std::vector<Index>& members) {
     Gathering crowd;
     for (const Index m : members) {
       if (number_[m] < 0) join(crowd, m, now);
     }
+    gather(crowd, now);
+    for (const Index m : crowd.members) number_[m] = -1;
+    return crowd;
+  };
+  std::vector<Gathering> crowds;
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    // A ball that an earlier crowd has brings its crowd with it.
+    for (bool more = true; more;) {
+      Gathering crowd = gathered(hits[k]);
+      more = false;
+      for (std::size_t other = 0; other < crowds.size(); ++other) {
+        const std::vector<Index>& others = crowds[other].members;
+        const bool shares = std::any_of(others.begin(), others.end(), [&](Index m) {
+          return std::find(crowd.members.begin(), crowd.members.end(), m) != crowd.members.end();
+        });
+        if (!shares) continue;
+        hits[k].insert(hits[k].end(), others.begin(), others.end());
+        crowds.erase(crowds.begin() + static_cast<std::ptrdiff_t>(other));
+        more = true;
+        break;
+      }
+      if (!more) crowds.push_back(std::move(crowd));
+    }
+  }
+  for (Gathering& crowd : crowds) {
+    begin_resolution();
     hit_crowd(crowd, now);
+    end_resolution();
   }
 }
 
@@ -206,8 +209,6 @@ void Tile<P>::put_on_walls(Gathering& crowd) const {
 
 template <class P>
 void Tile<P>::hit_crowd(Gathering& crowd, At now) {
-  const Stopwatch stopwatch(true, crowd_seconds_);
-  gather(crowd, now);
   for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
     if (!crowd.near[k].touches) continue;
     const int b = crowd.contacts[k].b;
@@ -267,6 +268,7 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) {
     put_on_walls(crowd);
   }
   const double lost = loss_of(crowd, had, span);
+  if (!(hits.held > 0)) note_held(crowd, lost);
   const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;
   if (log_ != nullptr) {
     log.counted = hits.counted;

@@ -20,6 +20,7 @@ void Tile<P>::step_crowds(At now) {
     if (!motion_.fixed(disks_[i]) && motion_.carried(disks_[i]) >= kStepped) all.push_back(i);
   }
   std::vector<char> stepped(disks_.size(), 0);
+  begin_resolution();
   for (const Index i : all) {
     if (stepped[i] != 0) continue;
     Gathering crowd;
@@ -29,6 +30,7 @@ void Tile<P>::step_crowds(At now) {
     step_crowd(crowd, now);
   }
   begin_instant();  // what comes now takes no step back
+  look_again_at_changed(now);
 }
 
 // What is slow comes to rest only where forces at its contacts hold it: what is pulled moves on. Of
@@ -193,6 +195,7 @@ void Tile<P>::step_crowd(Gathering& crowd, At now) {
   }
   keep_energy(crowd, had, span);
   const double lost = loss_of(crowd, had, span);
+  note_held(crowd, lost);
   const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;
   if (log_ != nullptr) {
     CrowdLog log;

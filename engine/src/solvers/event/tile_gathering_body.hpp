@@ -28,6 +28,11 @@ struct Tile<P>::Gathering {
   double lifted = 0;       ///< the height that balls were given, in energy
 };
 
+template <class S>
+bool lies_before(const Vec<S>& one, const Vec<S>& other) {
+  return one.x < other.x || (one.x == other.x && one.y < other.y);
+}
+
 // Moves a ball along an axis, onto a wall.
 template <class P>
 void Tile<P>::put_at(Gathering& crowd, Vec<S>& at, std::size_t axis, const S& stop,
@@ -122,20 +127,22 @@ double Tile<P>::fly_on(Gathering& crowd, At now) {
     left_[i] = kUnknown;
     moves = moves || crowd.carried[m] == kStepped;
   }
+  // Of several fixed balls that it touches, the one that lies first, by place.
+  std::vector<const Vec<S>*> ways(crowd.members.size(), nullptr);
   for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
     const auto a = static_cast<std::size_t>(crowd.contacts[k].a);
-    const Index i = crowd.members[a];
-    const Index partner = crowd.near[k].partner;
-    if (crowd.carried[a] < kResting && crowd.near[k].touches && partner < kFirstMark) {
-      left_[i] = partner;
-    }
+    const typename Gathering::Near& near = crowd.near[k];
+    if (crowd.carried[a] >= kResting || !near.touches || near.partner >= kFirstMark) continue;
+    if (ways[a] != nullptr && lies_before(*ways[a], near.r)) continue;
+    ways[a] = &near.r;
+    left_[crowd.members[a]] = near.partner;
   }
   if (moves) schedule_step(now);
   for (std::size_t m = 0; m < crowd.members.size(); ++m) {
     if (crowd.carried[m] < kResting) lean(crowd.members[m]);
   }
   const double lost = book_.keep();
-  for (const Index i : crowd.members) look_again(i, now);
+  changed_.insert(changed_.end(), crowd.members.begin(), crowd.members.end());
   return lost;
 }
 

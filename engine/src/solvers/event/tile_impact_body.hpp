@@ -69,6 +69,12 @@ void Tile<P>::count_turns(Index i, At now) {
   count(1, came.y, disks_[i].y);
 }
 
+template <class P>
+void Tile<P>::look_again_at_changed(At now) {
+  for (const Index i : changed_) look_again(i, now);
+  changed_.clear();
+}
+
 // After a new flight has begun.
 template <class P>
 void Tile<P>::look_again(Index i, At now) {
@@ -113,12 +119,11 @@ void Tile<P>::meet_alone(Index i, Index partner, At now) {
 template <class P>
 void Tile<P>::settle_pressed() {
   const auto now = instant_;
-  std::vector<std::pair<Index, Index>> left = std::exchange(pressed_, {});
-  const auto moves = [this](Index k) { return k < kFirstMark && !motion_.fixed(disks_[k]); };
+  std::vector<Pair> left = std::exchange(pressed_, {});
   std::vector<std::vector<Index>> crowds;
-  std::vector<std::vector<std::pair<Index, Index>>> others;
+  std::vector<std::vector<Pair>> others;
   while (!left.empty()) {
-    std::vector<std::pair<Index, Index>> group{left.back()};
+    std::vector<Pair> group{left.back()};
     left.pop_back();
     std::vector<Index> balls;
     for (std::size_t k = 0; k < group.size(); ++k) {
@@ -142,15 +147,20 @@ void Tile<P>::settle_pressed() {
   }
   hit_crowds(std::move(crowds), now);
   for (const auto& group : others) {
+    begin_resolution();
     for (const auto& [i, partner] : group) {
+      remember(i);
+      if (moves(partner)) remember(partner);
       meet_alone(i, partner, now);
       book_.keep();
     }
+    end_resolution();
     for (const auto& [i, partner] : group) {
-      if (moves(partner)) look_again(partner, now);
-      look_again(i, now);
+      if (moves(partner)) changed_.push_back(partner);
+      changed_.push_back(i);
     }
   }
+  look_again_at_changed(now);
 }
 
 // Whether a ball approaches what it meets by more than rounding.
@@ -192,39 +202,8 @@ void Tile<P>::meet(Index i, At now) {
     return;
   }
   watch(now);
-  const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
-  if (ball) forget(partner);
-  const bool again = is_past(i) || (ball && is_past(partner));
-  // What has been resolved, and is only pressed together from then on, waits for the impacts of the
-  // instant to be over.
-  const int hits = std::max(count_hit(i), ball ? count_hit(partner) : 0);
-  if (again && (is_resolved(i, partner) || hits > kManyAtOnce || !comes_nearer(i, partner, now))) {
-    pressed_.push_back({i, partner});
-    return;
-  }
-  if (again || jams_ || tied(i, partner, now) ||
-      (motion_.clusters() && ball && motion_.collapses(disks_[i], disks_[partner], now))) {
-    meet_jointly(i, partner, now);
-    return;
-  }
-  if (motion_.hops() && hit_crowd(i, partner, now)) return;
-  remember(i);
-  if (ball) remember(partner);
-  const std::size_t first = past_.size() - (ball ? 2 : 1);
-  meet_alone(i, partner, now);
-  if (ball) look_again(partner, now);
-  look_again(i, now);
-  // The impact is passed on at once: it is taken back, and all that touches is resolved together.
-  if (disks_[i].meets == now || (ball && disks_[partner].meets == now)) {
-    meet_jointly(i, partner, now);
-    return;
-  }
-  const double lost = book_.keep();
-  const Past& was = past_[first];
-  const Past& partner_was = past_.back();
-  if (log_ != nullptr) {
-    log_alone(i, partner, was.disk, partner_was.disk, lost, now);
-  }
+  if (moves(partner)) forget(partner);
+  waiting_.push_back({i, partner});
 }
 
 template <class P>

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "contact/joint_impact.hpp"
 #include "contact/rest_rules.hpp"
-#include "solvers/event/tile.hpp"
+#include "solvers/event/tile_gathering_body.hpp"
 
 namespace carom::event {
 
@@ -85,56 +88,6 @@ void Tile<P>::add_member(Instant& instant, Index i, At now) const {
 }
 
 template <class P>
-void Tile<P>::begin_instant() {
-  for (const Past& past : past_) is_past_[past.ball] = 0;
-  past_.clear();
-  for (const Index i : hit_) hits_[i] = 0;
-  hit_.clear();
-  linked_.clear();
-  resolved_.clear();
-  book_.begin_instant();
-  keep_slides();
-  past_counts_ = counts_;
-  past_log_ = log_ != nullptr ? log_->impacts.size() : 0;
-}
-
-template <class P>
-void Tile<P>::remember(Index i) {
-  if (motion_.fixed(disks_[i]) || is_past(i)) return;
-  is_past_[i] = 1;
-  past_.push_back({i, disks_[i], spins_.empty() ? S(0) : spins_[i], left(i)});
-}
-
-template <class P>
-std::vector<Index> Tile<P>::take_back() {
-  std::vector<Index> balls;
-  for (const Past& past : past_) {
-    const Index k = past.ball;
-    unlink(k);
-    const Time leaves = disks_[k].leaves;
-    disks_[k] = past.disk;
-    disks_[k].leaves = leaves;
-    if (!spins_.empty()) spins_[k] = past.spin;
-    if (!left_.empty()) left_[k] = past.left;
-    forget(k);
-    is_past_[k] = 0;
-    balls.push_back(k);
-  }
-  past_.clear();
-  resolved_.clear();
-  for (const auto& [i, partner] : std::exchange(pressed_, {})) {
-    for (const Index k : {i, partner}) {
-      if (k >= kFirstMark || motion_.fixed(disks_[k])) continue;
-      if (std::find(balls.begin(), balls.end(), k) == balls.end()) balls.push_back(k);
-    }
-  }
-  counts_ = past_counts_;
-  book_.take_back();
-  if (log_ != nullptr) log_->impacts.resize(past_log_);
-  return balls;
-}
-
-template <class P>
 bool Tile<P>::is_late(Index i, At now) {
   if (motion_.fixed(disks_[i]) || is_past(i)) return false;
   const Disk& me = disks_[i];
@@ -143,10 +96,8 @@ bool Tile<P>::is_late(Index i, At now) {
     const bool meets =
         motion_.pair_meets(me, other, false, now) <= now && motion_.rules().collisions;
     if (!meets) continue;
-    const Index ball = past.ball;
     forget(i);
-    linked_.push_back({i, ball});
-    meet_jointly(i, ball, now);
+    waiting_.push_back({i, past.ball});
     return true;
   }
   return false;
@@ -252,32 +203,57 @@ auto Tile<P>::touching(std::vector<Index>& seeds, At now) -> Instant {
   return instant;
 }
 
-// What has been resolved at this instant, and now shares a ball with more, is resolved again.
+// The groups of balls that touch, from these on. What has been resolved at this instant, and now
+// shares a ball with more, is taken back: its balls are looked for, too.
 template <class P>
-void Tile<P>::meet_jointly(Index i, Index partner, At now) {
-  if (!is_linked(i, partner)) linked_.push_back({i, partner});
-  std::vector<Index> seeds;
-  const auto start = [&] {
-    if (std::find(seeds.begin(), seeds.end(), i) == seeds.end()) seeds.push_back(i);
-  };
-  start();
-  // Of both it is not known any more what they meet next.
-  const bool two = partner < kFirstMark && !motion_.fixed(disks_[partner]);
-  const auto unknown = [&](std::vector<Index> balls) {
-    if (two) balls.push_back(partner);
-    return balls;
-  };
-  std::vector<Index> looked_for = unknown(seeds);
-  std::vector<Instant> groups;
-  groups.push_back(touching(seeds, now));
-  const std::vector<Index>& members = groups.front().members;
-  if (std::any_of(members.begin(), members.end(), [this](Index m) { return is_past(m); })) {
-    seeds = take_back();
-    start();
-    looked_for = unknown(seeds);
-    groups.clear();
+auto Tile<P>::groups_of(std::vector<Index>& looked_for, At now) -> std::vector<Instant> {
+  for (;;) {
+    std::vector<Index> seeds = looked_for;
+    std::vector<Instant> groups;
+    std::vector<Index> past;
+    while (!seeds.empty()) {
+      groups.push_back(touching(seeds, now));
+      const std::vector<Index>& members = groups.back().members;
+      std::copy_if(members.begin(), members.end(), std::back_inserter(past),
+                   [this](Index m) { return is_past(m); });
+    }
+    if (past.empty()) return groups;
+    take_back(past);
+    for (const Index k : past) {
+      if (std::find(looked_for.begin(), looked_for.end(), k) == looked_for.end()) {
+        looked_for.push_back(k);
+      }
+    }
   }
-  while (!seeds.empty()) groups.push_back(touching(seeds, now));
+}
+
+template <class P>
+void Tile<P>::resolve_together(std::vector<Pair> alone, const std::vector<Pair>& joint, At now) {
+  // Of all of them it is not known any more what they meet next.
+  std::vector<Index> looked_for;
+  for (const Pair& pair : joint) {
+    if (!is_linked(pair.first, pair.second)) linked_.push_back(pair);
+    for (const Index k : {pair.first, pair.second}) {
+      if (moves(k) && std::find(looked_for.begin(), looked_for.end(), k) == looked_for.end()) {
+        looked_for.push_back(k);
+      }
+    }
+  }
+  const std::size_t links = linked_.size();
+  linked_.insert(linked_.end(), alone.begin(), alone.end());
+  std::vector<Instant> groups = groups_of(looked_for, now);
+  linked_.resize(links);
+  std::erase_if(alone, [&](const Pair& pair) {
+    const bool found = std::any_of(groups.begin(), groups.end(), [&](const Instant& group) {
+      return group.find(pair.first) < group.members.size();
+    });
+    if (!found) return false;
+    linked_.push_back(pair);
+    for (const Index k : {pair.first, pair.second}) {
+      if (moves(k)) looked_for.push_back(k);
+    }
+    return true;
+  });
   std::vector<std::vector<Index>> crowds;
   std::vector<Instant> others;
   for (Instant& group : groups) {
@@ -289,8 +265,102 @@ void Tile<P>::meet_jointly(Index i, Index partner, At now) {
     std::copy_if(group.members.begin(), group.members.end(), std::back_inserter(crowd),
                  [this](Index m) { return !motion_.fixed(disks_[m]); });
   }
+  if (motion_.hops()) {
+    std::erase_if(alone, [&](const Pair& pair) {
+      if (!is_hit_of_crowd(pair.first, pair.second, now)) return false;
+      std::vector<Index>& crowd = crowds.emplace_back();
+      crowd.push_back(pair.first);
+      if (moves(pair.second)) crowd.push_back(pair.second);
+      return true;
+    });
+  }
   hit_crowds(std::move(crowds), now);
-  for (Instant& group : others) resolve_group(group, looked_for, now);
+  for (Instant& group : others) {
+    begin_resolution();
+    resolve_group(group, looked_for, now);
+    end_resolution();
+  }
+  for (const auto& [i, partner] : alone) resolve_alone(i, partner, now);
+}
+
+template <class P>
+void Tile<P>::resolve_alone(Index i, Index partner, At now) {
+  const bool ball = moves(partner);
+  begin_resolution();
+  remember(i);
+  if (ball) remember(partner);
+  const std::size_t first = past_.size() - (ball ? 2 : 1);
+  for (const Index k : {i, partner}) {
+    if (k == partner && !ball) continue;
+    unlink(k);
+    forget(k);
+  }
+  meet_alone(i, partner, now);
+  const double lost = book_.keep();
+  if (log_ != nullptr) log_alone(i, partner, past_[first].disk, past_.back().disk, lost, now);
+  end_resolution();
+  if (ball) changed_.push_back(partner);
+  changed_.push_back(i);
+}
+
+// Whether an impact is to be resolved with all that touches; nothing, where it waits for the
+// impacts of the instant to be over: what has been resolved, and is only pressed together from then
+// on.
+template <class P>
+std::optional<bool> Tile<P>::is_joint(Index i, Index partner, At now) {
+  const bool ball = moves(partner);
+  const bool again = is_past(i) || (ball && is_past(partner));
+  const int hits = std::max(hits_[i], ball ? hits_[partner] : 0);
+  if (again && (is_resolved(i, partner) || hits > kManyAtOnce || !comes_nearer(i, partner, now))) {
+    return std::nullopt;
+  }
+  return again || jams_ > 0 || tied(i, partner, now) ||
+         (motion_.clusters() && ball && motion_.collapses(disks_[i], disks_[partner], now));
+}
+
+template <class P>
+void Tile<P>::resolve_waiting() {
+  const auto now = instant_;
+  for (const auto& [i, partner] : waiting_) {
+    count_hit(i);
+    if (moves(partner)) count_hit(partner);
+  }
+  if (waiting_.size() == 1) {
+    const auto [i, partner] = waiting_.front();
+    const std::optional<bool> joint = is_joint(i, partner, now);
+    if (joint && !*joint && !(motion_.hops() && is_hit_of_crowd(i, partner, now))) {
+      waiting_.clear();
+      resolve_alone(i, partner, now);
+      look_again_at_changed(now);
+      return;
+    }
+  }
+  std::vector<Pair> alone;
+  std::vector<Pair> joint;
+  std::vector<Index> balls;
+  for (const Pair& pair : std::exchange(waiting_, {})) {
+    const std::optional<bool> together = is_joint(pair.first, pair.second, now);
+    if (!together) {
+      pressed_.push_back(pair);
+      continue;
+    }
+    (*together ? joint : alone).push_back(pair);
+    balls.push_back(pair.first);
+    if (moves(pair.second)) balls.push_back(pair.second);
+  }
+  // What shares a ball is resolved together.
+  std::sort(balls.begin(), balls.end());
+  const auto shares = [&](Index k) {
+    const auto [first, last] = std::equal_range(balls.begin(), balls.end(), k);
+    return last - first > 1;
+  };
+  std::erase_if(alone, [&](const Pair& pair) {
+    if (!shares(pair.first) && !(moves(pair.second) && shares(pair.second))) return false;
+    joint.push_back(pair);
+    return true;
+  });
+  resolve_together(std::move(alone), joint, now);
+  look_again_at_changed(now);
 }
 
 // Of several fixed balls that it touches the flight began at the one that lies first, by place.
@@ -305,7 +375,7 @@ void Tile<P>::note_left(const Instant& instant, At now) {
     if (!motion_.fixed(disks_[b]) || disks_[ball].start != now) continue;
     const Vec<S>* first = ways[a];
     const Vec<S>& r = contact.r;
-    if (first != nullptr && (first->x < r.x || (first->x == r.x && first->y < r.y))) continue;
+    if (first != nullptr && lies_before(*first, r)) continue;
     ways[a] = &r;
     left_[ball] = b;
   }
@@ -331,8 +401,8 @@ void Tile<P>::resolve_group(Instant& instant, const std::vector<Index>& looked_f
     meet_alone(i, partner, now);
     const double lost = book_.keep();
     if (log_ != nullptr) log_alone(i, partner, was, partner_was, lost, now);
-    if (ball) look_again(partner, now);
-    look_again(i, now);
+    if (ball) changed_.push_back(partner);
+    changed_.push_back(i);
     return;
   }
 
@@ -400,7 +470,7 @@ void Tile<P>::resolve_group(Instant& instant, const std::vector<Index>& looked_f
       }
     }
   }
-  for (const Index m : changed) look_again(m, now);
+  changed_.insert(changed_.end(), changed.begin(), changed.end());
 }
 
 }  // namespace carom::event
