@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSolved = 0x1p-20;         // of the speed that the acceleration makes in a step
 constexpr double kSolvedRubbing = 0x1p-14;  // the same with friction, as slips are not exact either
+constexpr double kSlowest = 0x1p-10;        // speeds, for which it is solved so much better
 constexpr double kStatic = 0x1p-24;         // the same for what is held at rest
 constexpr double kApart = 0x1p-8;           // how fast what overlaps comes apart
 constexpr double kClosed = 0x1p-14;    // a gap that is none, by the way of that speed in a step
@@ -70,10 +71,39 @@ constexpr double tolerated() {
 /// How fast the two may come together so that they touch at the end of the step.  An overlap that
 /// is less than `tolerated`, by the way of the speed in a step, stays: what lifts balls out of it
 /// would have to come from somewhere.  A deeper one comes apart again.
-double closing_room(const IslandContact& c, const IslandStep::Rule& rule, double tolerated) {
+double closing_room(const IslandContact& c, const IslandStep::Rule& rule, double tolerated,
+                    double apart) {
   const double way = rule.speed * rule.step;
   if (c.gap > -tolerated * way && c.gap < kClosed * way) return 0;
-  return std::max(c.gap / rule.step, -kApart * rule.speed);
+  return std::max(c.gap / rule.step, -apart);
+}
+
+/// The mean speed of an island's balls, which motion they share left out unless something holds
+/// them.
+double mean_speed(const std::vector<IslandBody>& bodies,
+                  const std::vector<IslandContact>& contacts) {
+  const bool held =
+      std::any_of(contacts.begin(), contacts.end(), [](const IslandContact& c) { return c.b < 0; });
+  double mass = 0;
+  Vec2 momentum{0, 0};
+  for (const IslandBody& body : bodies) {
+    mass += 1 / body.inverse_mass;
+    momentum += body.before / body.inverse_mass;
+  }
+  const Vec2 frame = held ? Vec2{0, 0} : momentum / mass;
+  double twice = 0;
+  for (const IslandBody& body : bodies) {
+    const double square = (body.before - frame).squaredNorm() + body.turning * body.turning / 2;
+    twice += square / body.inverse_mass;
+  }
+  return std::sqrt(twice / mass);
+}
+
+/// How fast overlaps come apart: what this lifts is paid for by the motion of the balls, so little
+/// where they hardly move.
+double apart_speed(double moving, const IslandStep::Rule& rule) {
+  const double part = std::min(moving / rule.speed, 1.0);
+  return kApart * rule.speed * part * part;
 }
 
 }  // namespace
@@ -123,11 +153,10 @@ template <int D>
 bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<char>& bounced,
                        const std::vector<double>& slip, IslandOutcome& outcome) {
   pose(work, island, bounced, slip);
-  const double goal = (D == 3 ? kSolvedRubbing : kSolved) * island.rule.speed;
   const std::vector<double> last = work.impulses;
   const bool again = last.size() == work.problem.rows.size();
   const bool solved =
-      work.solver.solve(work.problem, goal, work.impulses, again ? &last : nullptr).solved;
+      work.solver.solve(work.problem, work.goal, work.impulses, again ? &last : nullptr).solved;
   work.problem.spread(work.impulses, work.motion, true);
   const std::size_t n = island.bodies.size();
   outcome.after.resize(n);
@@ -222,8 +251,13 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
   outcome.bounced.assign(contacts.size(), 0);
   work.rooms.clear();
   work.impulses.clear();
+  const double moving = mean_speed(bodies, contacts);
+  const double apart = apart_speed(moving, rule);
+  // What hardly moves must be known as much better.
+  const double slow = std::max(std::min(moving / rule.speed, 1.0), kSlowest);
+  work.goal = (D == 3 ? kSolvedRubbing : kSolved) * slow * rule.speed;
   for (const IslandContact& c : contacts)
-    work.rooms.push_back(closing_room(c, rule, tolerated<D>()));
+    work.rooms.push_back(closing_room(c, rule, tolerated<D>(), apart));
   outcome.solved = solve(work, island, outcome.bounced, outcome);
 
   const IslandOutcome plastic = outcome;
@@ -317,7 +351,8 @@ void IslandStep::take_single(const Island& island, IslandOutcome& outcome) {
   }
   const bool bounce = bounces(island.bodies, c, rule);
   const double free = opening_of(motion, c);
-  const double room = closing_room(c, rule, kClosed);
+  const double room =
+      closing_room(c, rule, kClosed, apart_speed(mean_speed(island.bodies, island.contacts), rule));
   const bool meets = free + room < 0;
   outcome.bounced.assign(1, bounce && meets ? 1 : 0);
   outcome.normal.assign(1, 0.0);
@@ -372,7 +407,7 @@ bool IslandStep::holds(Work<D>& work, const Island& island) {
   const std::vector<char> bounces(island.contacts.size(), 0);
   work.rooms.clear();
   for (const IslandContact& c : island.contacts) {
-    work.rooms.push_back(closing_room(c, island.rule, tolerated<D>()));
+    work.rooms.push_back(closing_room(c, island.rule, tolerated<D>(), 0));
   }
   pose(work, island, bounces, slip);
   work.solver.solve(work.problem, still / 64, work.impulses);
@@ -421,7 +456,9 @@ bool IslandStep::holds(const std::vector<IslandBody>& bodies,
   }
   std::vector<IslandContact> closed = contacts;
   for (IslandContact& c : closed) {
-    if (c.gap < kClosed * rule.speed * rule.step) c.gap = 0;
+    // A contact that slides slower than kSlip, which counts as sticking, is lifted by mu times that.
+    const double lifted = std::max(kClosed, spins ? c.friction * kSlip : 0);
+    if (c.gap < lifted * rule.speed * rule.step) c.gap = 0;
   }
   const Island island{still, closed, rule, unit_of(bodies)};
   return spins ? holds(turning_, island) : holds(plain_, island);

@@ -80,6 +80,7 @@ class IslandStep {
     InteriorPoint<D> solver;
     std::vector<double> rooms;  // how fast each contact may close
     std::vector<double> slips;  // how fast each slides, as far as is known
+    double goal = 0;            // how exactly it is solved, a speed
     bool returns = false;       // bounces have been reckoned in
     std::vector<double> impulses;
     std::vector<double> motion;

@@ -109,7 +109,7 @@ void lose_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& ru
 void end_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule, bool held,
               IslandOutcome& outcome) {
   const double rounding = rounding_of_gain(bodies, rule);
-  double grown = gain(bodies, rule, outcome);
+  const double grown = gain(bodies, rule, outcome);
   if (!(grown > rounding)) return;
   const Vec2 way = held ? Vec2{0, 0} : mean_by_mass(bodies, outcome.mean);
   const Vec2 speed = held ? Vec2{0, 0} : mean_by_mass(bodies, outcome.after);
@@ -118,14 +118,15 @@ void end_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rul
     const double mass = 1 / bodies[i].inverse_mass;
     lifting -= mass * rule.step * rule.acceleration.dot(outcome.mean[i] - way);
   }
+  // What is left at a part of both: part^2 moving + part lifting, of which there must be no more
+  // than before.
   const double moving = moving_energy(bodies, outcome, speed);
-  if (lifting > 0) {
-    const double part = std::max(1 - grown / lifting, 0.0);
-    for (Vec2& v : outcome.mean) v = way + part * (v - way);
-    grown -= (1 - part) * lifting;
-  }
-  if (!(grown > rounding) || !(moving > 0)) return;
-  scale_velocities(std::sqrt(std::max(1 - grown / moving, 0.0)), speed, outcome);
+  if (!(moving > 0 || lifting > 0)) return;
+  const double before = std::max(moving + lifting - grown, 0.0);
+  const double root = std::sqrt(lifting * lifting + 4 * moving * before);
+  const double part = lifting > 0 ? 2 * before / (lifting + root) : (root - lifting) / (2 * moving);
+  for (Vec2& v : outcome.mean) v = way + part * (v - way);
+  scale_velocities(part, speed, outcome);
 }
 
 void confine(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule,
