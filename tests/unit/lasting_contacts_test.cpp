@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <vector>
 
 namespace carom::contact {
@@ -39,7 +41,11 @@ struct Floor {
     }
     std::vector<std::uint32_t> out;
     contacts.end(balls, 0, balls.size(), out);
-    for (std::uint32_t i = 0; i + 1 < balls.size(); ++i) near.push_back({i, i + 1});
+    for (std::uint32_t i = 0; i < balls.size(); ++i) {
+      for (std::uint32_t j = i + 1; j < balls.size(); ++j) {
+        if ((balls.at(j) - balls.at(i)).norm() < 1.125) near.push_back({i, j});
+      }
+    }
     contacts.form(balls, near, out);
   }
 
@@ -76,16 +82,11 @@ TEST(LastingContacts, BallsThatAreMerelyNearAreOfTwoIslands) {
   EXPECT_EQ(touching.contacts.islands(), 1U);
 }
 
-TEST(LastingContacts, APushThatComesToANearBallJoinsItsIsland) {
+TEST(LastingContacts, APushThatIsForeseenIsOfOneIslandAtOnce) {
   // The second ball is driven on by the first one, 1/16 in the step, over a gap of 1/64.
   Floor row({Ball{{5, 0.5}, {8, 0}}, Ball{{6.03125, 0.5}}, Ball{{7.046875, 0.5}}});
   row.fly();
-  ASSERT_EQ(row.contacts.islands(), 2U);
-  row.resolve();
-  const std::vector<Pair> crossing = row.crossing();
-  ASSERT_EQ(crossing, (std::vector<Pair>{{1, 2}}));
-  row.contacts.join(row.balls, row.near, crossing, false);
-  EXPECT_EQ(row.contacts.islands(), 1U);
+  ASSERT_EQ(row.contacts.islands(), 1U);
   row.resolve();
   EXPECT_TRUE(row.crossing().empty());
   // What one pushes the other takes.
@@ -95,16 +96,42 @@ TEST(LastingContacts, APushThatComesToANearBallJoinsItsIsland) {
   EXPECT_GT(row.balls.velocity[0][2], 1);
 }
 
+// Two heavy balls meet and drive one between them up by 1.7 times their own way: farther than it
+// overlaps them, and into one above it.
+std::vector<Ball> wedge() {
+  const Vec2 up{std::sqrt(0.75), 0.5};
+  Ball left{{5, 0.5}, {4, 0}};
+  Ball right{{5 + 2 * up.x(), 0.5}, {-4, 0}};
+  left.mass = right.mass = 1000;
+  return {left, right, Ball{{5 + up.x(), 1}}, Ball{{5 + up.x(), 2.08}}};
+}
+
+TEST(LastingContacts, APushThatComesToANearBallJoinsItsIsland) {
+  Floor floor(wedge());
+  floor.fly();
+  ASSERT_EQ(floor.contacts.islands(), 1U);
+  floor.resolve();
+  const std::vector<Pair> crossing = floor.crossing();
+  ASSERT_EQ(crossing, (std::vector<Pair>{{2, 3}}));
+  floor.contacts.join(floor.balls, floor.near, crossing, false);
+  EXPECT_EQ(floor.contacts.islands(), 1U);
+  floor.resolve();
+  EXPECT_TRUE(floor.crossing().empty());
+  EXPECT_GT(floor.balls.velocity[1][3], 1);
+}
+
 TEST(LastingContacts, JoiningLeavesOtherIslandsAsTheyAre) {
-  Floor row({Ball{{5, 0.5}, {8, 0}}, Ball{{6.03125, 0.5}}, Ball{{7.046875, 0.5}}, Ball{{12, 0.5}}});
-  row.fly();
-  ASSERT_EQ(row.contacts.islands(), 3U);
-  row.resolve();
-  const double height = row.balls.position[1][3];
-  row.contacts.join(row.balls, row.near, row.crossing(), false);
-  EXPECT_EQ(row.contacts.islands(), 2U);
-  EXPECT_EQ(row.balls.position[1][3], height);
-  EXPECT_EQ(row.balls.velocity[1][3], 0);
+  std::vector<Ball> balls = wedge();
+  balls.push_back(Ball{{12, 0.5}});
+  Floor floor(balls);
+  floor.fly();
+  ASSERT_EQ(floor.contacts.islands(), 2U);
+  floor.resolve();
+  const double height = floor.balls.position[1][4];
+  floor.contacts.join(floor.balls, floor.near, floor.crossing(), false);
+  EXPECT_EQ(floor.contacts.islands(), 2U);
+  EXPECT_EQ(floor.balls.position[1][4], height);
+  EXPECT_EQ(floor.balls.velocity[1][4], 0);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "contact/ball_contact.hpp"
 #include "contact/island_account.hpp"
 #include "contact/island_energy.hpp"
+#include "contact/pushes.hpp"
 #include "contact/wall_contacts.hpp"
 
 namespace carom::contact {
@@ -161,7 +162,51 @@ void LastingContacts::form(Balls& balls, std::span<const Pair> near,
       if (slept_[i] != asleep_[i]) seeds_.push_back(i);  // it is solved, wherever it lies
     }
   }
-  assemble(balls, near, kLinked * rule_.acceleration.norm() * rule_.step * rule_.step);
+  const double gap = kLinked * rule_.acceleration.norm() * rule_.step * rule_.step;
+  foresee_links(balls, near, out, gap);
+  assemble(balls, near, gap);
+}
+
+// What overlaps after the flight will be pushed back by as much, and pushes what is in its way.
+void LastingContacts::foresee_links(const Balls& balls, std::span<const Pair> near,
+                                    std::span<const std::uint32_t> out, double gap) {
+  pushes_.resize(balls.size());
+  std::vector<Pair> pairs;
+  std::vector<double> gaps;
+  for (const Pair& pair : near) pushes_[pair.first] = pushes_[pair.second] = 0;
+  for (const std::uint32_t ball : out) {
+    double& push = pushes_[ball];
+    push = 0;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (!domain_.solid(axis)) continue;
+      const double x = balls.position[axis][ball];
+      const double radius = balls.radius[ball];
+      push = std::max({push, domain_.lowest(axis, radius) - x, x - domain_.highest(axis, radius)});
+    }
+  }
+  bool any = !out.empty();
+  for (const Pair& pair : near) {
+    const bool first = moves(balls, pair.first);
+    const bool second = moves(balls, pair.second);
+    if (!first && !second) continue;
+    const double reach = balls.radius[pair.first] + balls.radius[pair.second];
+    const Vec2 r = nearest_image(balls.at(pair.second) - balls.at(pair.first), domain_);
+    const double apart = r.norm() - reach;
+    if (apart < 0) {
+      any = true;
+      if (first) pushes_[pair.first] = std::max(pushes_[pair.first], -apart);
+      if (second) pushes_[pair.second] = std::max(pushes_[pair.second], -apart);
+    }
+    if (!first || !second) continue;
+    pairs.push_back(pair);
+    gaps.push_back(apart);
+  }
+  if (!any) return;
+  pass_on_pushes(pairs, gaps, pushes_);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const double push = std::max(pushes_[pairs[k].first], pushes_[pairs[k].second]);
+    if (gaps[k] < gap + push) linked_.push_back(pairs[k]);
+  }
 }
 
 // The islands of the seeds and of balls that overlap, among balls that are of no island yet.

@@ -109,6 +109,8 @@ class LastingContacts {
   [[nodiscard]] bool moves(const Balls& balls, std::uint32_t ball) const {
     return !balls.fixed(ball) && asleep_[ball] == 0;
   }
+  void foresee_links(const Balls& balls, std::span<const Pair> near,
+                     std::span<const std::uint32_t> out, double gap);
   void assemble(const Balls& balls, std::span<const Pair> near, double gap);
   void undo(Balls& balls, const Island& island);
   void add_member(Island& island, const Balls& balls, std::uint32_t ball);
@@ -136,6 +138,7 @@ class LastingContacts {
   std::vector<int> place_;      // by ball: its number there
   std::vector<Island> islands_;
   std::vector<std::uint32_t> seeds_;  // whose islands are to be found
+  std::vector<double> pushes_;        // by ball: how far contacts may push it in this step
   std::vector<Pair> linked_;          // in this step, though they do not touch after the flight
 };
 
