@@ -255,8 +255,8 @@ void judge_flights(const Scene& scene, Verdict& verdict) {
     }
     if (continuation.flights[i].carried > 13) {
       verdict.add(Place("/continuation/flights") / i / "carried",
-                  fmt::format("must be 0, 1 for x, 2 for y, 3 for both, 4 to 10 on walls that rub, "
-                              "11 to 13 in a crowd, got {}",
+                  fmt::format("must be 0, 1 for x, 2 for y, 3 for both, 4 to 10 on walls with "
+                              "friction, 11 to 13 in a contact island, got {}",
                               continuation.flights[i].carried));
     }
   }

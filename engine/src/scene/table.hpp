@@ -225,7 +225,7 @@ struct Table<SavedFlight> {
       "A flight as exactly as the method holds it: decimal numbers in quotes.";
   static constexpr std::tuple kKeys{
       key<Form::decimal>("start", &SavedFlight::start,
-                         "When it began, in ticks of the present era of the clock.")
+                         "When it began, in ticks of the present epoch of the clock.")
           .required("\"-1234\""),
       key<Form::decimal>("position", &SavedFlight::position).required(R"(["3", "5"])"),
       key<Form::decimal>("velocity", &SavedFlight::velocity).required(R"(["1", "0"])"),
@@ -233,8 +233,8 @@ struct Table<SavedFlight> {
       key("left", &SavedFlight::left, "The fixed ball at which it began."),
       key("carried", &SavedFlight::carried,
           "The axes along which something carries it: 1 for x, 2 for y, 3 for both; 4 to 7 sliding "
-          "along a wall that rubs, 8 and 9 rolling, 10 turning in a corner; 11 in a crowd that "
-          "rests, 12 in one that moves, 13 joining it.")
+          "along a wall with friction, 8 and 9 rolling, 10 turning in a corner; 11 in a contact "
+          "island at rest, 12 in one that moves, 13 joining it.")
           .at_most(13)};
 };
 
