@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "carom/names.hpp"
 
@@ -63,7 +65,7 @@ Rule whole(Member member, std::uint64_t least, std::uint64_t most) {
 template <class Member>
 Rule real(Member member, bool zero, std::string demand) {
   Rule rule;
-  rule.demand = [=](const std::string& value) -> std::string {
+  rule.demand = [zero, demand = std::move(demand)](const std::string& value) -> std::string {
     const auto given = number<double>(value);
     const bool good = given && std::isfinite(*given) && (zero ? *given >= 0 : *given > 0);
     return good ? "" : demand;
@@ -176,6 +178,7 @@ Rule method() {
 
 Rule digits() {
   std::vector<std::string> numbers;
+  numbers.reserve(std::size(kDigits));
   for (const int number : kDigits) numbers.push_back(fmt::format("{}", number));
   return word(std::move(numbers),
               [](Options& options, std::size_t i) { options.digits = kDigits[i]; });

@@ -82,7 +82,7 @@ void paint_help(Canvas& canvas, int page, Glyphs glyphs) {
     for (int row = 0; row < rows; ++row) {
       const auto line = static_cast<std::size_t>(first + row);
       if (line < all[i].size())
-        text.write(static_cast<int>(i) * kColumn, row, all[i][line].text, all[i][line].ink);
+        text.write(static_cast<int>(i * kColumn), row, all[i][line].text, all[i][line].ink);
     }
   }
   const int pages = help_pages(canvas);

@@ -86,6 +86,7 @@ TerminalInfo load_terminal_info() {
 std::string capability(const char* name) {
   const char* const value = tigetstr(const_cast<char*>(name));
   // (char*)-1 for what is no string capability, and null for what is absent.
+  // NOLINTNEXTLINE(performance-no-int-to-ptr)
   if (value == nullptr || value == reinterpret_cast<const char*>(-1)) return {};
   std::string text = value;
   for (auto begin = text.find("$<"); begin != std::string::npos; begin = text.find("$<")) {

@@ -26,7 +26,7 @@ std::string help(const std::vector<std::string>& arguments) {
 std::string entry(const std::string& text, const std::string& start, const std::string& next) {
   const std::size_t begin = text.find(start);
   if (begin == std::string::npos) return "";
-  const std::smatch::difference_type from = static_cast<std::ptrdiff_t>(begin + start.size());
+  const auto from = static_cast<std::ptrdiff_t>(begin + start.size());
   std::smatch found;
   const std::string rest(text.begin() + from, text.end());
   const bool more = std::regex_search(rest, found, std::regex(next));

@@ -62,7 +62,8 @@ class Watchdog {
           closedir(tasks);
           return {};
         }
-        if (line.starts_with("voluntary_ctxt_switches")) all += id + ' ' + line + '\n';
+        if (line.starts_with("voluntary_ctxt_switches"))
+          all.append(id).append(" ").append(line).append("\n");
       }
     }
     closedir(tasks);

@@ -1,11 +1,11 @@
 #include "accuracy/timing.hpp"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <vector>
 
 namespace carom::accuracy {

@@ -17,7 +17,7 @@ void WidePrecision::free_caches_with_thread() {
   struct Caches {
     ~Caches() { mpfr_free_cache(); }
   };
-  thread_local const Caches caches;
+  thread_local const Caches kCaches;
 }
 
 }  // namespace carom

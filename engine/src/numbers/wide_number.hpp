@@ -126,7 +126,7 @@ class WideNumber {
     return result;
   }
 
-  static inline thread_local int bits_ = 128;
+  static inline thread_local int bits_ = 128;  // NOLINT(readability-identifier-naming)
 
   __mpfr_struct value_;
   std::array<mp_limb_t, kLimbs> limbs_{};
@@ -160,9 +160,11 @@ namespace std {
 template <>
 class numeric_limits<carom::WideNumber> {
  public:
+  // NOLINTBEGIN(readability-identifier-naming): the names of the standard
   static constexpr bool is_specialized = true;
   static constexpr bool is_signed = true;
   static constexpr bool has_infinity = true;
+  // NOLINTEND(readability-identifier-naming)
   static carom::WideNumber infinity() { return carom::WideNumber::infinity(); }
   static carom::WideNumber epsilon() {
     return ldexp(carom::WideNumber(1), 1 - carom::WideNumber::bits());

@@ -154,7 +154,7 @@ struct Table<SolverChoice> {
 template <>
 struct Table<NewStep> {
   static constexpr std::string_view kName = "the solver in a script";
-  static constexpr std::string_view kAbout = "";
+  static constexpr std::string_view kAbout{};
   static constexpr std::tuple kKeys{
       key("step", &NewStep::step, "A new step, seconds.").limited(Limit::positive)};
 };
@@ -170,7 +170,7 @@ inline constexpr auto kCommand = key("command", &Line::command).required("\"paus
 template <>
 struct Table<AddLine> {
   static constexpr std::string_view kName = "the command \"add\"";
-  static constexpr std::string_view kAbout = "";
+  static constexpr std::string_view kAbout{};
   static constexpr std::tuple kKeys{
       kAt<AddLine>, kCommand<AddLine>,
       key("ball", &AddLine::ball).required(R"({"position": [1, 1], "radius": 0.5})")};
@@ -178,7 +178,7 @@ struct Table<AddLine> {
 template <>
 struct Table<RemoveLine> {
   static constexpr std::string_view kName = "the command \"remove\"";
-  static constexpr std::string_view kAbout = "";
+  static constexpr std::string_view kAbout{};
   static constexpr std::tuple kKeys{
       kAt<RemoveLine>, kCommand<RemoveLine>,
       key("ball", &RemoveLine::ball, "Its number at that time, from 0; default: the newest.")};
@@ -186,19 +186,19 @@ struct Table<RemoveLine> {
 template <>
 struct Table<PauseLine> {
   static constexpr std::string_view kName = "the command \"pause\"";
-  static constexpr std::string_view kAbout = "";
+  static constexpr std::string_view kAbout{};
   static constexpr std::tuple kKeys{kAt<PauseLine>, kCommand<PauseLine>};
 };
 template <>
 struct Table<ResumeLine> {
   static constexpr std::string_view kName = "the command \"resume\"";
-  static constexpr std::string_view kAbout = "";
+  static constexpr std::string_view kAbout{};
   static constexpr std::tuple kKeys{kAt<ResumeLine>, kCommand<ResumeLine>};
 };
 template <>
 struct Table<SetLine> {
   static constexpr std::string_view kName = "the command \"set\"";
-  static constexpr std::string_view kAbout = "";
+  static constexpr std::string_view kAbout{};
   static constexpr std::tuple kKeys{
       kAt<SetLine>, kCommand<SetLine>,
       key("effects", &SetLine::effects,
@@ -208,13 +208,13 @@ struct Table<SetLine> {
 template <>
 struct Table<QuitLine> {
   static constexpr std::string_view kName = "the command \"quit\"";
-  static constexpr std::string_view kAbout = "";
+  static constexpr std::string_view kAbout{};
   static constexpr std::tuple kKeys{kAt<QuitLine>, kCommand<QuitLine>};
 };
 template <>
 struct Table<AnyLine> {
   static constexpr std::string_view kName = "a script line";
-  static constexpr std::string_view kAbout = "";
+  static constexpr std::string_view kAbout{};
   static constexpr std::tuple kKeys{kAt<AnyLine>, kCommand<AnyLine>};
 };
 
