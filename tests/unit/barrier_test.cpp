@@ -65,6 +65,45 @@ TEST(Barrier, OnePartyNeverWaits) {
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(barrier.arrive_and_wait());
 }
 
+TEST(Barrier, WhoOnlyArrivesGoesOnAtOnce) {
+  const Watchdog watchdog;
+  Barrier barrier(3);
+  EXPECT_TRUE(barrier.arrive());
+  EXPECT_TRUE(barrier.arrive());  // two parties in one thread: the second does not wait for a third
+  EXPECT_TRUE(barrier.arrive_and_wait());  // the last ends the phase
+  barrier.cancel();
+  EXPECT_FALSE(barrier.arrive());
+}
+
+// One thread orders work and waits for its end; the others wait for orders only.
+// Seen to fail: where an arrival that ends the phase wakes nobody, and where one does not count.
+TEST(Barrier, OneWaitsForTheArrivalOfAll) {
+  for (const std::size_t workers : {1, 2, 5, 40}) {
+    const Watchdog watchdog;
+    constexpr int kOrders = 300;
+    Barrier order(workers + 1);
+    Barrier done(workers + 1);
+    std::vector<int> results(workers, 0);
+    int number = 0;
+    std::atomic<int> wrong{0};
+    on_threads(workers + 1, [&](std::size_t me) {
+      for (int i = 1; i <= kOrders; ++i) {
+        if (me < workers) {
+          if (!order.arrive_and_wait()) ++wrong;
+          results[me] = number;
+          if (!done.arrive()) ++wrong;
+          continue;
+        }
+        number = i;
+        if (i % 50 == 0) let_them_sleep();
+        if (!order.arrive_and_wait() || !done.arrive_and_wait()) ++wrong;
+        for (const int result : results) wrong += result == i ? 0 : 1;
+      }
+    });
+    EXPECT_EQ(wrong, 0);
+  }
+}
+
 TEST(Barrier, TheCompletionRunsOncePerPhaseAfterAllHaveArrivedAndBeforeAnyGoesOn) {
   const Watchdog watchdog;
   constexpr std::size_t kThreads = 7;

@@ -41,6 +41,9 @@ class BasicBarrier {
   /// Arrives and waits for the others.  True where the phase ended; false where the barrier was
   /// cancelled before: a party that is slow to wake up from a phase that ended is told so.
   [[nodiscard]] bool arrive_and_wait();
+  /// Arrives and goes on without the others.  False where the barrier was cancelled before.
+  /// REQUIRES: the party does not arrive again before this phase has ended.
+  [[nodiscard]] bool arrive();
   /// One party more: the phase that is open now does not end before it has arrived.
   void join();
   /// One party fewer; counts as the arrival of the party that leaves, and ends the phase (running
@@ -62,6 +65,8 @@ class BasicBarrier {
     std::atomic<std::uint32_t> sleepers{0};
   };
 
+  /// `await`: does not return before the phase has ended.
+  [[nodiscard]] bool arrive(bool await);
   [[nodiscard]] bool wait(Gate& gate, std::uint64_t arrival);
   [[nodiscard]] int yields_of(std::size_t parties);
   [[nodiscard]] bool yield_was_long();

@@ -73,6 +73,16 @@ BasicBarrier<System>::~BasicBarrier() = default;
 
 template <class System>
 bool BasicBarrier<System>::arrive_and_wait() {
+  return arrive(true);
+}
+
+template <class System>
+bool BasicBarrier<System>::arrive() {
+  return arrive(false);
+}
+
+template <class System>
+bool BasicBarrier<System>::arrive(bool await) {
   std::uint64_t state = state_.load(std::memory_order_relaxed);
   for (;;) {
     Gate& gate = gates_[barrier::phase_of(state) & 1U];
@@ -83,8 +93,8 @@ bool BasicBarrier<System>::arrive_and_wait() {
                                       std::memory_order_relaxed)) {
       continue;
     }
-    if (!last) return wait(gate, state);
-    return end_phase(barrier::phase_of(state));
+    if (last) return end_phase(barrier::phase_of(state));
+    return !await || wait(gate, state);
   }
 }
 

@@ -134,6 +134,7 @@ class Crew::Implementation {
     try {
       while (do_frame_.arrive_and_wait()) {
         if (index >= count_) {
+          timeline.end();
           change_parties(&Barrier::leave);
           return;
         }
@@ -154,8 +155,9 @@ class Crew::Implementation {
         }
         if (busy.count() != 0) computing_ += busy.count();
         timeline.arrive_at_frame_done(frame_done);
-        if (!frame_done_.arrive_and_wait()) return;
-        timeline.leave_frame_done();
+        // Nobody but the control thread waits for the end of the frame: the next thing for a worker
+        // is to wait for the order of the next one, which that thread gives after the end.
+        if (!frame_done_.arrive()) return;
       }
     } catch (...) {
       failure_.add(index, std::current_exception());
@@ -170,8 +172,8 @@ class Crew::Implementation {
     if (!do_frame_.arrive_and_wait()) return false;
     const std::int64_t begun = recorder_->now();
     if (!frame_done_.arrive_and_wait()) return false;
-    ring.add({begin, begun, recorder_->now(), recorder_->frame(), 0});
     recorder_->end_frame();
+    ring.add({begin, begun, recorder_->ended(), recorder_->frame() - 1, 0});
     return true;
   }
 

@@ -25,14 +25,12 @@ std::uint64_t TimelineRing::first_whole_frame() const {
   return oldest() == 0 ? 0 : entries_[oldest() & (capacity_ - 1)].frame + 1;
 }
 
-std::vector<TimelineEntry> TimelineRing::since(std::uint64_t first, std::int64_t now) const {
+std::vector<TimelineEntry> TimelineRing::since(std::uint64_t first, std::int64_t end) const {
   std::vector<TimelineEntry> result;
   for (std::uint64_t k = oldest(); k < written_; ++k) {
-    TimelineEntry& stored = entries_[k & (capacity_ - 1)];
-    if (stored.frame < first) continue;
-    TimelineEntry entry{stored.begin, stored.arrived, 0, stored.frame, stored.phase};
-    entry.left = std::atomic_ref<std::int64_t>(stored.left).load(std::memory_order_relaxed);
-    if (entry.left == kOpen) entry.left = std::max(now, entry.arrived);
+    TimelineEntry entry = entries_[k & (capacity_ - 1)];
+    if (entry.frame < first) continue;
+    if (entry.left == kOpen) entry.left = end;
     result.push_back(entry);
   }
   return result;
@@ -43,13 +41,12 @@ void TimelineRecorder::set_workers(std::size_t workers) {
 }
 
 Timeline TimelineRecorder::timeline(std::size_t frames) const {
-  const std::int64_t moment = now();
   std::uint64_t first = frame_ - std::min<std::uint64_t>(frame_, std::min(frames, frames_));
   first = std::max(first, control_->first_whole_frame());
   for (const auto& ring : workers_) first = std::max(first, ring->first_whole_frame());
   Timeline result;
-  result.control = control_->since(first, moment);
-  for (const auto& ring : workers_) result.workers.push_back(ring->since(first, moment));
+  result.control = control_->since(first, ended_);
+  for (const auto& ring : workers_) result.workers.push_back(ring->since(first, ended_));
   return result;
 }
 
@@ -60,9 +57,10 @@ void WorkerTimeline::note_frame(const std::shared_ptr<TimelineRecorder>& recorde
     ring_ = recorder ? &recorder->worker(worker_) : nullptr;
     if (ring_ == nullptr) return;
   }
+  if (waited) ring_->close(recorder_->ended());
   ring_->begin_frame(recorder_->frames(), recorder_->most_entries());
   const std::int64_t now = recorder_->now();
-  if (waited) ring_->add({mark_, mark_, now, recorder_->frame(), 0});
+  if (waited) ring_->add({recorder_->ended(), recorder_->ended(), now, recorder_->frame(), 0});
   mark_ = now;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +13,8 @@ namespace carom {
 
 /// The last entries of one thread.
 ///
-/// Threads: the thread that writes; another may read while the first waits at do_frame, or is on
-/// its way there from frame_done: what it then still writes is one number, see close().
+/// Threads: the thread that writes; another may read while the first waits at do_frame or is on its
+/// way there from frame_done.
 class TimelineRing {
  public:
   TimelineRing() : entries_(std::make_unique<TimelineEntry[]>(kFewest)), capacity_(kFewest) {}
@@ -30,13 +29,10 @@ class TimelineRing {
     ++in_frame_;
   }
   /// The last entry's wait is over.
-  void close(std::int64_t left) {
-    std::atomic_ref<std::int64_t>(entries_[(written_ - 1) & (capacity_ - 1)].left)
-        .store(left, std::memory_order_relaxed);
-  }
+  void close(std::int64_t left) { entries_[(written_ - 1) & (capacity_ - 1)].left = left; }
   /// The entries of frames from `first` on, in order.  A wait that has not been closed ends at
-  /// `now`.
-  [[nodiscard]] std::vector<TimelineEntry> since(std::uint64_t first, std::int64_t now) const;
+  /// `end`.
+  [[nodiscard]] std::vector<TimelineEntry> since(std::uint64_t first, std::int64_t end) const;
   /// The first frame all of whose entries are still there.
   [[nodiscard]] std::uint64_t first_whole_frame() const;
 
@@ -76,7 +72,12 @@ class TimelineRecorder {
   [[nodiscard]] TimelineRing& worker(std::size_t index) { return *workers_[index]; }
   [[nodiscard]] std::size_t frames() const { return frames_; }
   [[nodiscard]] std::uint64_t frame() const { return frame_; }
-  void end_frame() { ++frame_; }
+  /// When the last frame ended.
+  [[nodiscard]] std::int64_t ended() const { return ended_; }
+  void end_frame() {
+    ended_ = now();
+    ++frame_;
+  }
   /// The last `frames` frames of which everything is still there.
   [[nodiscard]] Timeline timeline(std::size_t frames) const;
 
@@ -87,6 +88,7 @@ class TimelineRecorder {
   Clock::time_point began_ = Clock::now();
   std::size_t frames_;
   std::uint64_t frame_ = 0;  // the number of the present one
+  std::int64_t ended_ = 0;
   std::unique_ptr<TimelineRing> control_ = std::make_unique<TimelineRing>();
   std::vector<std::unique_ptr<TimelineRing>> workers_;  // those that have ended keep their entries
 };
@@ -112,16 +114,15 @@ class WorkerTimeline {
     ring_->add({mark_, arrived_, now, recorder_->frame(), barrier});
     mark_ = now;
   }
-  /// Before frame_done, after which the control thread may read, and after it.
+  /// Before frame_done, after which the control thread may read.
   void arrive_at_frame_done(std::uint32_t barrier) {
     if (ring_ == nullptr) return;
     const std::int64_t now = recorder_->now();
     ring_->add({now, now, TimelineRing::kOpen, recorder_->frame(), barrier});
   }
-  void leave_frame_done() {
-    if (ring_ == nullptr) return;
-    mark_ = recorder_->now();
-    ring_->close(mark_);
+  /// After the do_frame that ends its worker.
+  void end() {
+    if (ring_ != nullptr) ring_->close(recorder_->ended());
   }
 
  private:
