@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/interior_point.hpp"
 #include "numbers/orderless_sum.hpp"
 
 // How lanes are passed depends on the processor's registers; they never leave this file.
@@ -238,9 +239,54 @@ void Crowd::expand(double room) {
   }
 }
 
+// Many contacts of a pile are nearly dependent: conjugate gradients take ever more rounds, an
+// interior point hardly more than for few.
+template <int D>
+bool Crowd::solve_many(double goal) {
+  double largest_inverse = 0;
+  for (const double inverse : inverse_mass_) largest_inverse = std::max(largest_inverse, inverse);
+  const double unit = std::ldexp(1.0, -std::ilogb(largest_inverse));
+  contact::ContactProblem<D> problem;
+  for (std::size_t i = 0; i + 1 < inverse_mass_.size(); ++i) {
+    for (int c = 0; c < D; ++c) {
+      problem.inverse_mass.push_back((c < 2 ? 1 : 2) * unit * inverse_mass_[i]);
+    }
+  }
+  const auto sides = [this](std::size_t k) { return D == 3 && friction_[k] != 0 ? 2U : 1U; };
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    for (std::size_t side = 0; side < sides(k); ++side) {
+      const double mu = (side == 0 ? 1 : -1) * friction_[k];
+      contact::Row<D> row;
+      row.a = contacts_[k].a;
+      row.b = contacts_[k].b == kWall ? -1 : contacts_[k].b;
+      row.j[0] = normal_x_[k] - mu * normal_y_[k];
+      row.j[1] = normal_y_[k] + mu * normal_x_[k];
+      if (D == 3) row.j[D - 1] = -mu;
+      row.q = parting_[side * size_ + k] / scale_[k];
+      problem.rows.push_back(row);
+    }
+  }
+  problem.weigh();
+  std::vector<double> impulses;
+  // Kept for its memory; nothing of one problem shows in the next.
+  thread_local contact::InteriorPoint<D> solver;
+  if (!solver.solve(problem, goal, impulses).solved) return false;
+  std::fill(impulses_.begin(), impulses_.end(), 0);
+  std::size_t row = 0;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    for (std::size_t side = 0; side < sides(k); ++side) {
+      impulses_[side * size_ + k] = unit * impulses[row++] / scale_[k];
+    }
+  }
+  return true;
+}
+
 // Contacts give way from where the last solution left them (proximal point method), so that in the
 // end they give way to nothing, however heavy what they carry is.
 void Crowd::solve(double goal) {
+  if (contacts_.size() > kFewContacts) {
+    if (edges_ > size_ ? solve_many<3>(goal / 2) : solve_many<2>(goal / 2)) return;
+  }
   std::fill(anchor_.begin(), anchor_.end(), 0);
   for (int round = 0; round < kMostRefinements; ++round) {
     descend(goal);
@@ -366,8 +412,9 @@ std::vector<double> Crowd::resolve(Bodies& motion, double rate, double goal, boo
   part(start_.data());
   parting_ = start_;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    const double room = scale_[k] * (contacts_[k].gap > 0 ? contacts_[k].gap * rate : 0.0);
-    for (std::size_t at = k; at < edges_; at += size_) parting_[at] += room;
+    const CrowdContact& c = contacts_[k];
+    const double room = c.parting > 0 ? -c.parting : std::max(c.gap * rate, 0.0);
+    for (std::size_t at = k; at < edges_; at += size_) parting_[at] += scale_[k] * room;
   }
   std::fill(impulses_.begin(), impulses_.end(), 0);
   solve(goal);

@@ -22,7 +22,12 @@ struct CrowdContact {
   Vec<double> normal;  ///< of length 1, from a to b
   double gap;
   double friction;
+  double parting = 0;  ///< more than 0: so fast it is to part at least, whatever its gap
 };
+
+/// More contacts are solved by an interior point, whose bits depend on the order of the bodies and
+/// contacts, and on mirrors: the caller puts them in order by place.
+inline constexpr std::size_t kFewContacts = 192;
 
 /// The least change of the motion of a crowd by which none of its contacts closes beyond touching.
 ///
@@ -31,7 +36,7 @@ struct CrowdContact {
 /// complementarity, a convex quadratic program: the motion is unique).
 /// Holds: the kinetic energy does not rise: standing still is among the motions allowed, and the
 /// nearest to a given one is not longer than it.  Numbering, sides, mirrors and swapped axes leave
-/// the bits as they are.
+/// the bits as they are, of few contacts.
 /// Source: M. Anitescu, Math. Program. 105 (2006) 113; Dostal, Schoeberl, Comput. Optim. Appl. 30
 /// (2005) 23: conjugate gradients on what pushes, with steps onto and off the bounds (modified
 /// proportioning).  In the plane a cone has two edges, and an impulse in it is the sum of two that
@@ -60,6 +65,9 @@ class Crowd {
 
   void scale();
   void solve(double goal);
+  /// Whether it found the impulses.
+  template <int D>
+  bool solve_many(double goal);
   void descend(double goal);
   void close_slides(double goal);
   void times(const double* impulses, double* result);

@@ -48,8 +48,8 @@ namespace carom::event {
 // carried already; or, where walls lose energy or there is drag, one is within 2^-16 of its
 // diameter of a wall and both have been hit within 2^-16 instead of 2^-12; or, where there is drag,
 // one is fixed and the other comes at less than 2^-12 sqrt(s g). A harder impact on a crowd is
-// resolved for all of it at once: by the least impulses that stop the approach, given 1 + e times,
-// and again without e.  A ball that nothing in the crowd carries leaves it.  A crowd gains no
+// resolved for all of it at once: by the least impulses after which it parts e times as fast as it
+// came and nothing closes.  A ball that nothing in the crowd carries leaves it.  A crowd gains no
 // energy, counted without what gravity has given it ahead of its fall.  Where nothing loses energy
 // along a normal, a step holds only what approaches no faster than 2 h (g + u^2 / s), u the slip,
 // as gravity and the turning normal of a contact that lasts make it; what comes faster, or to a

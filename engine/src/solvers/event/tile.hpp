@@ -312,6 +312,7 @@ class Tile {
               const S& inverse_mass) const;
   void join(Gathering& crowd, Index i, At now);
   void gather(Gathering& crowd, At now);
+  static void put_in_order(Gathering& crowd);
   /// Gives what was lost.
   double fly_on(Gathering& crowd, At now);
 
@@ -333,6 +334,7 @@ class Tile {
   struct Hits {
     std::vector<char> stays;    ///< by member: it is of the crowd afterwards
     std::vector<char> counted;  ///< by contact: it is an impact
+    std::vector<char> parts;    ///< by contact: it is one that bounces
     double restitution = 1;
     double fastest = 0;
     double held = 0;  ///< energy of a jammed group that nothing of it can move with

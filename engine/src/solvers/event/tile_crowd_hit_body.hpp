@@ -36,7 +36,6 @@ void Tile<P>::hit_crowds(std::vector<std::vector<Index>> hits, At now) {
       if (number_[m] < 0) join(crowd, m, now);
     }
     gather(crowd, now);
-    for (const Index m : crowd.members) number_[m] = -1;
     return crowd;
   };
   std::vector<Gathering> crowds;
@@ -100,6 +99,7 @@ auto Tile<P>::hits_of(const Gathering& crowd, At now) const -> Hits {
   Hits hits;
   hits.stays.resize(crowd.members.size(), 0);
   hits.counted.resize(crowd.contacts.size(), 0);
+  hits.parts.resize(crowd.contacts.size(), 0);
   const auto disk_of = [&](int body) -> const Disk& {
     return disks_[crowd.members[static_cast<std::size_t>(body)]];
   };
@@ -131,6 +131,7 @@ auto Tile<P>::hits_of(const Gathering& crowd, At now) const -> Hits {
       if (c.b != kWall) hits.stays[static_cast<std::size_t>(c.b)] = 1;
     } else if (speed > 0) {
       hits.bounces = true;
+      hits.parts[k] = 1;
       hits.restitution = std::min(
           hits.restitution, wall ? motion_.rules().wall_restitution : motion_.rules().restitution);
     }
@@ -170,14 +171,15 @@ void Tile<P>::reflect_crowd(Gathering& crowd, Hits& hits) {
     }
   }
   std::fill(hits.stays.begin(), hits.stays.end(), 0);
-  const Vec<double> g = in_double(motion_.law().pull());
   for (const std::size_t k : number) {
     const CrowdContact& c = crowd.contacts[k];
     const auto a = static_cast<std::size_t>(c.a);
     const bool wall = c.b == kWall && crowd.near[k].partner >= kFirstMark;
     if (wall) continue;
     // Two that fall press each other only where something holds one of them.
-    const double pressing = c.b == kWall ? dot(c.normal, g) : 0;
+    const Disk& disk = disks_[crowd.members[a]];
+    const double pressing =
+        c.b == kWall ? dot(c.normal, in_double(motion_.law_of(disk).pull())) : 0;
     const double away = std::abs(approach(crowd, k));
     const auto reach = static_cast<double>(root(S(dot(crowd.near[k].r, crowd.near[k].r))));
     const auto pull = static_cast<double>(motion_.pull());
@@ -221,7 +223,6 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) {
   if (next_step_ != P::Clock::never()) {
     span = static_cast<double>(S(motion_.rules().scale.seconds(next_step_ - now)));
   }
-  const double rate = span > 0 ? 1 / span : 0;
   Hits hits = hits_of(crowd, now);
   counts_.ball_wall += hits.walls;
   counts_.ball_ball += hits.balls;
@@ -234,17 +235,9 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) {
   const Vec<double> g = in_double(motion_.law().pull());
   if (elastic) {
     reflect_crowd(crowd, hits);
-  } else if (hits.bounces && hits.restitution > 0) {
-    const std::vector<CrowdBody> before = crowd.bodies;
-    log.impulses = Crowd(crowd.bodies, crowd.contacts).resolve(crowd.bodies, rate, goal);
-    const double e = hits.restitution;
-    const auto beyond = [e](double was, double is) { return is + e * (is - was); };
-    for (std::size_t m = 0; m < crowd.bodies.size(); ++m) {
-      CrowdBody& body = crowd.bodies[m];
-      const CrowdBody& was = before[m];
-      body.velocity = {beyond(was.velocity.x, body.velocity.x),
-                       beyond(was.velocity.y, body.velocity.y)};
-      body.turning = beyond(was.turning, body.turning);
+  } else if (hits.bounces) {
+    for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+      if (hits.parts[k] != 0) crowd.contacts[k].parting = hits.restitution * approach(crowd, k);
     }
   }
   bool rested = false;
@@ -263,6 +256,7 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) {
   std::vector<double> loads(crowd.contacts.size(), 0);
   hold_on(crowd, span, goal, loads);
   put_on_walls(crowd);
+  for (CrowdContact& contact : crowd.contacts) contact.parting = 0;
   if (keep_energy(crowd, had - 2 * hits.held, span) && !motion_.keeps_energy()) {
     hold_on(crowd, span, goal, loads);
     put_on_walls(crowd);
@@ -272,10 +266,7 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) {
   const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;
   if (log_ != nullptr) {
     log.counted = hits.counted;
-    log.impulses.resize(loads.size(), 0);
-    for (std::size_t k = 0; k < loads.size(); ++k) {
-      log.impulses[k] = (1 + hits.restitution) * log.impulses[k] + loads[k];
-    }
+    log.impulses = loads;
     log.lost = lost;
     log_crowd(crowd, log, now);
   }

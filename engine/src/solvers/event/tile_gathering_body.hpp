@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "contact/crowd.hpp"
@@ -74,7 +76,10 @@ void Tile<P>::join(Gathering& crowd, Index i, At now) {
 // Whoever can be reached from the members over near contacts of balls that are of a crowd.
 template <class P>
 void Tile<P>::gather(Gathering& crowd, At now) {
-  if (!motion_.rules().collisions) return;
+  if (!motion_.rules().collisions) {
+    for (const Index m : crowd.members) number_[m] = -1;
+    return;
+  }
   const double friction = motion_.rules().friction;
   std::vector<Index> around;
   for (std::size_t m = 0; m < crowd.members.size(); ++m) {
@@ -83,9 +88,8 @@ void Tile<P>::gather(Gathering& crowd, At now) {
     const S radius = motion_.kind(disks_[i]).radius;
     const auto found = neighbours_.around(static_cast<double>(here.x), static_cast<double>(here.y));
     around.assign(found.begin(), found.end());
-    std::sort(around.begin(), around.end());
     for (const Index j : around) {
-      if (j == i) continue;
+      if (j == i || number_[j] > number_[i]) continue;  // it is found from there, too
       const bool fixed = motion_.fixed(disks_[j]);
       if (number_[j] < 0 && !fixed && !motion_.crowded(disks_[j])) continue;
       const S reach = radius + motion_.kind(disks_[j]).radius;
@@ -94,7 +98,7 @@ void Tile<P>::gather(Gathering& crowd, At now) {
       const Vec<S> r = motion_.way(here, there);
       if (!near(r, reach, S(kNear))) continue;
       if (number_[j] < 0 && !fixed) join(crowd, j, now);
-      if (!fixed && number_[j] > number_[i]) continue;  // it is found from there, too
+      if (!fixed && number_[j] > number_[i]) continue;
       const S length = root(S(r.x * r.x + r.y * r.y));
       const S gap = squared_gap(r, reach) / (length + reach);
       crowd.contacts.push_back({number_[i], fixed ? kWall : number_[j],
@@ -104,6 +108,53 @@ void Tile<P>::gather(Gathering& crowd, At now) {
       counts_.max_overlap = std::max(counts_.max_overlap, static_cast<double>(depth));
     }
   }
+  for (const Index m : crowd.members) number_[m] = -1;
+  if (crowd.contacts.size() > kFewContacts) put_in_order(crowd);
+}
+
+// By place, which no numbering changes.
+template <class P>
+void Tile<P>::put_in_order(Gathering& crowd) {
+  const auto sorted = [](std::size_t n, const auto& before) {
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), before);
+    return order;
+  };
+  const auto rearrange = [](auto& column, const std::vector<std::size_t>& order) {
+    auto old = column;
+    for (std::size_t k = 0; k < order.size(); ++k) column[k] = std::move(old[order[k]]);
+  };
+  const std::vector<std::size_t> order =
+      sorted(crowd.members.size(), [&](std::size_t one, std::size_t other) {
+        return lies_before(crowd.places[one], crowd.places[other]);
+      });
+  rearrange(crowd.members, order);
+  rearrange(crowd.places, order);
+  rearrange(crowd.carried, order);
+  rearrange(crowd.bodies, order);
+  std::vector<int> number(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = static_cast<int>(k);
+  for (std::size_t k = 0; k < crowd.contacts.size(); ++k) {
+    CrowdContact& c = crowd.contacts[k];
+    c.a = number[static_cast<std::size_t>(c.a)];
+    if (c.b == kWall) continue;
+    c.b = number[static_cast<std::size_t>(c.b)];
+    if (c.a < c.b) continue;
+    std::swap(c.a, c.b);
+    c.normal = -c.normal;
+    crowd.near[k].r = -crowd.near[k].r;
+  }
+  const std::vector<std::size_t> in_turn =
+      sorted(crowd.contacts.size(), [&](std::size_t one, std::size_t other) {
+        const CrowdContact& c = crowd.contacts[one];
+        const CrowdContact& d = crowd.contacts[other];
+        if (c.a != d.a) return c.a < d.a;
+        if (c.b != d.b) return c.b < d.b;
+        return lies_before(c.normal, d.normal);
+      });
+  rearrange(crowd.contacts, in_turn);
+  rearrange(crowd.near, in_turn);
 }
 
 // Every member begins the flight that `crowd` says, as what `carried` says.
@@ -112,7 +163,6 @@ double Tile<P>::fly_on(Gathering& crowd, At now) {
   bool moves = false;
   for (std::size_t m = 0; m < crowd.members.size(); ++m) {
     const Index i = crowd.members[m];
-    number_[i] = -1;
     remember(i);
     unlink(i);
     forget(i);

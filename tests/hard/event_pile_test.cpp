@@ -1,0 +1,67 @@
+// Piles of so many contacts that an interior point solves them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include "support/event_contact.hpp"
+
+namespace carom {
+namespace {
+
+/// Balls above each other, a little off a lattice, that fall into a box with losses.
+struct Pile {
+  Scene scene;
+  std::vector<Ball> balls;
+};
+
+Pile pile(std::size_t count, double unit) {
+  Pile result;
+  result.scene = test::contact_box(12 * unit, 40 * unit, 0.3, {0, -9.81 * unit});
+  std::mt19937 random(7);
+  const auto below = [&random](unsigned n) { return static_cast<double>(random() % n); };
+  for (std::size_t k = 0; k < count; ++k) {
+    const double x = 0.5 + 1.0625 * static_cast<double>(k % 11) + below(64) / 1024;
+    const double y = 0.5 + 1.125 * static_cast<double>(k / 11) + below(64) / 1024;
+    Ball ball = test::contact_ball(x * unit, y * unit, (below(64) / 64 - 0.5) * unit);
+    ball.radius = 0.5 * unit;
+    result.balls.push_back(ball);
+  }
+  return result;
+}
+
+// Seen to fail where the balls of a crowd are solved in the order in which they are listed.
+TEST(EventContact, neither_order_nor_unit_changes_a_bit_of_a_pile) {
+  const Pile start = pile(140, 1);
+  const test::ContactOutcome end = test::run_contact(start.scene, start.balls, 1.5);
+  std::vector<std::size_t> from(start.balls.size());
+  std::iota(from.begin(), from.end(), 0U);
+  std::mt19937 random(1);
+  for (const double unit : {1.0, 0.25}) {
+    std::shuffle(from.begin(), from.end(), random);
+    const Pile other = pile(140, unit);
+    std::vector<Ball> balls;
+    for (const std::size_t k : from) balls.push_back(other.balls[k]);
+    const test::ContactOutcome again = test::run_contact(other.scene, balls, 1.5);
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      EXPECT_EQ(unit * end.balls[from[k]].position, again.balls[k].position) << k << ' ' << unit;
+      EXPECT_EQ(unit * end.balls[from[k]].velocity, again.balls[k].velocity) << k << ' ' << unit;
+    }
+  }
+}
+
+// It comes to rest, no ball is in another, and the book has what was lost.
+TEST(EventContact, a_pile_of_many_contacts_comes_to_rest) {
+  const Pile start = pile(140, 1);
+  const test::ContactOutcome end = test::run_contact(start.scene, start.balls, 20);
+  for (const Ball& ball : end.balls) EXPECT_EQ(ball.velocity, (Vec2{0, 0}));
+  EXPECT_LT(end.measured.max_overlap, 1e-3);
+  EXPECT_NEAR(end.energy + end.dissipated, end.energy_before, 1e-12 * end.energy_before);
+}
+
+}  // namespace
+}  // namespace carom
