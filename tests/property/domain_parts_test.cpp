@@ -25,14 +25,16 @@ std::uint32_t below(std::mt19937& random, std::uint32_t limit) {
 }
 
 TEST(BucketQueue, GivesEventsInTheOrderOfTime) {
+  unsigned preceding = 0;
+  unsigned missed = 0;  // as the event is beyond the present bucket
   for (unsigned seed = 1; seed <= 300; ++seed) {
     std::mt19937 random(seed);
     const std::uint32_t balls = 1 + below(random, 60);
     const Ticks window = 1 + below(random, 1000);
     BucketQueue queue;
-    queue.reset(balls, window);
     std::map<Slot, Ticks> expected;
     Ticks now = 0;
+    queue.reset(balls, window, seed % 3 == 0 ? 4 : 1);
     for (int step = 0; step < 300; ++step) {
       const auto ball = static_cast<Slot>(below(random, balls));
       switch (below(random, 4)) {
@@ -64,8 +66,22 @@ TEST(BucketQueue, GivesEventsInTheOrderOfTime) {
           queue.add(ball, expected[ball]);
       }
       ASSERT_EQ(queue.holds(ball), expected.count(ball) > 0) << seed;
+      // Once the first has been asked for, nothing comes before it.
+      if (queue.first(window) == kNoSlot) continue;
+      const Ticks time = now + below(random, 1 + static_cast<std::uint32_t>(window - now));
+      const bool later = std::all_of(expected.begin(), expected.end(), [&](const auto& event) {
+        return event.first == ball || event.second > time;
+      });
+      if (queue.precedes(time, ball)) {
+        ++preceding;
+        ASSERT_TRUE(later) << seed;
+      } else if (later) {
+        ++missed;
+      }
     }
   }
+  EXPECT_GT(preceding, 500U);
+  EXPECT_LT(missed, 20 * preceding);
 }
 
 TEST(NearLists, HoldWhatWasPutIn) {
@@ -227,6 +243,39 @@ TEST(Approach, BoundsThePairTimeFromBelow) {
     }
   }
   EXPECT_GT(meetings, 5000U);
+}
+
+TEST(Approach, FindsTheTwoEarliestOfMany) {
+  std::mt19937 random(11);
+  unsigned found = 0;
+  for (int trial = 0; trial < 5000; ++trial) {
+    constexpr std::size_t kBalls = 24;
+    std::vector<Path> paths;
+    for (std::size_t k = 0; k < kBalls; ++k) {
+      paths.push_back({number(random, -9, 9), number(random, -9, 9), number(random, -1, 1),
+                       number(random, -1, 1)});
+    }
+    const Approach approach({0, 0}, 1, nullptr, 1e-9);
+    std::array<Slot, kBalls> others{};
+    for (Slot& other : others) other = static_cast<Slot>(below(random, kBalls));
+    const std::uint32_t count = below(random, 20);
+    const Approach::Seer me = approach.seer(paths[0], 0);
+    const auto earliest = approach.earliest(me, paths.data(), others.data(), count, Lanes{});
+    std::vector<double> times(2, never<double>());
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::array<Slot, 4> same{others[k], others[k], others[k], others[k]};
+      times.push_back(approach.bounds(me, paths.data(), same.data(), Lanes{})[0]);
+      if (times.back() != earliest.first) continue;
+      found += times.back() < never<double>() ? 1 : 0;
+    }
+    std::sort(times.begin(), times.end());
+    ASSERT_EQ(earliest.first, times[0]) << trial;
+    ASSERT_EQ(earliest.second, times[1]) << trial;
+    if (times[0] == never<double>()) continue;
+    const std::array<Slot, 4> same{earliest.ball, earliest.ball, earliest.ball, earliest.ball};
+    ASSERT_EQ(approach.bounds(me, paths.data(), same.data(), Lanes{})[0], times[0]) << trial;
+  }
+  EXPECT_GT(found, 1000U);
 }
 
 }  // namespace

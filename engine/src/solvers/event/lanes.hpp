@@ -35,6 +35,13 @@ typedef std::int64_t WholeTwoLanes __attribute__((vector_size(16)));
 [[gnu::always_inline]] inline Lanes square_root(Lanes a) {
   return _mm256_sqrt_pd(a);
 }
+/// The lesser and the greater, lane by lane; b where the two cannot be compared.
+[[gnu::always_inline]] inline Lanes lesser(Lanes a, Lanes b) {
+  return _mm256_min_pd(a, b);
+}
+[[gnu::always_inline]] inline Lanes greater(Lanes a, Lanes b) {
+  return _mm256_max_pd(a, b);
+}
 /// Whether a comparison is true in some lane.
 [[gnu::always_inline]] inline bool any(WholeLanes a) {
   return _mm256_movemask_pd(std::bit_cast<Lanes>(a)) != 0;
@@ -52,6 +59,12 @@ typedef std::int64_t WholeTwoLanes __attribute__((vector_size(16)));
 [[gnu::always_inline]] inline Lanes square_root(Lanes a) {
   return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 }
+[[gnu::always_inline]] inline Lanes lesser(Lanes a, Lanes b) {
+  return a < b ? a : b;
+}
+[[gnu::always_inline]] inline Lanes greater(Lanes a, Lanes b) {
+  return a > b ? a : b;
+}
 [[gnu::always_inline]] inline bool any(WholeLanes a) {
   return (a[0] | a[1] | a[2] | a[3]) != 0;
 }
@@ -68,6 +81,22 @@ typedef std::int64_t WholeTwoLanes __attribute__((vector_size(16)));
 [[gnu::always_inline]] inline std::int64_t least(WholeLanes a) {
   const std::int64_t low = a[0] < a[1] ? a[0] : a[1];
   const std::int64_t high = a[2] < a[3] ? a[2] : a[3];
+  return low < high ? low : high;
+}
+/// The number of the first lane that holds `value`.
+/// REQUIRES: one does.
+[[gnu::always_inline]] inline std::uint32_t lane_of(Lanes a, double value) {
+#if defined(__AVX__) && defined(__FMA__)
+  const WholeLanes same = a == all(value);
+  return static_cast<std::uint32_t>(
+      std::countr_zero(static_cast<unsigned>(_mm256_movemask_pd(std::bit_cast<Lanes>(same)))));
+#else
+  return a[0] == value ? 0 : a[1] == value ? 1 : a[2] == value ? 2 : 3;
+#endif
+}
+[[gnu::always_inline]] inline double least(Lanes a) {
+  const double low = a[0] < a[2] ? a[0] : a[2];
+  const double high = a[1] < a[3] ? a[1] : a[3];
   return low < high ? low : high;
 }
 [[gnu::always_inline]] inline Lanes absolute(Lanes a) {

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "solvers/event/domains/near_lists.hpp"
@@ -80,6 +82,39 @@ class Approach {
     const Lanes nearer = fused(square, now, along) - slack_ * (absolute(ux) + absolute(uy));
     return (discriminant > zero) & (nearer < zero) ? time
                                                    : all(std::numeric_limits<double>::infinity());
+  }
+
+  /// The least of the bounds of many, whose it is, and the least of the others.
+  struct Earliest {
+    double first;
+    double second;
+    Slot ball;
+  };
+  /// Of `count` others; behind the last, up to the next multiple of four, are balls, too.
+  [[nodiscard, gnu::always_inline]] Earliest earliest(const Seer& me, const Path* paths,
+                                                      const Slot* others, std::uint32_t count,
+                                                      Lanes now) const {
+    const Lanes never = all(std::numeric_limits<double>::infinity());
+    const Lanes numbers{0, 1, 2, 3};
+    Lanes left = all(static_cast<double>(count));
+    Lanes first = never;
+    Lanes second = never;
+    WholeLanes groups{};
+    for (std::uint32_t k = 0; k < count; k += kLanes) {
+      Lanes time = bounds(me, paths, others + k, now);
+      time = numbers < left ? time : never;
+      left -= static_cast<double>(kLanes);
+      second = lesser(second, greater(first, time));
+      groups = time < first ? all(std::int64_t{k}) : groups;
+      first = lesser(time, first);
+    }
+    const double least_time = least(first);
+    const std::uint32_t lane = lane_of(first, least_time);
+    alignas(32) std::int64_t group_of_lane[kLanes];
+    std::memcpy(group_of_lane, &groups, sizeof groups);
+    const Lanes rest = numbers == all(static_cast<double>(lane)) ? second : first;
+    return {least_time, least(lesser(rest, second)),
+            others[static_cast<std::uint32_t>(group_of_lane[lane]) + lane]};
   }
 
  private:

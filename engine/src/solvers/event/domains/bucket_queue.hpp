@@ -24,11 +24,11 @@ class BucketQueue {
  public:
   static constexpr std::uint32_t kMostBuckets = 0xfff0;
 
-  /// Empties it.
+  /// Empties it.  `buckets_of_ball`: for its events in the window.
   /// REQUIRES: `window` > 0.
-  void reset(std::size_t balls, Ticks window) {
-    const auto buckets =
-        static_cast<std::uint32_t>(std::clamp<std::size_t>(balls, 16, kMostBuckets));
+  void reset(std::size_t balls, Ticks window, double buckets_of_ball = 1) {
+    const double wanted = static_cast<double>(balls) * buckets_of_ball;
+    const auto buckets = static_cast<std::uint32_t>(std::clamp(wanted, 16.0, double{kMostBuckets}));
     heads_.assign(buckets, kNoSlot);
     entries_.assign(balls, Entry{});
     last_ = buckets - 1;
@@ -42,9 +42,7 @@ class BucketQueue {
 
   /// REQUIRES: it does not hold the ball.
   void add(Slot ball, Ticks time) {
-    const auto exact = static_cast<std::uint32_t>(
-        std::min(static_cast<double>(time) * per_tick_, static_cast<double>(last_)));
-    const std::uint32_t bucket = std::max(exact, present_);
+    const std::uint32_t bucket = std::max(bucket_of(time), present_);
     const Slot next = heads_[bucket];
     entries_[ball] = {time, next, kNoSlot, static_cast<Slot>(bucket)};
     if (next != kNoSlot) entries_[next].before = ball;
@@ -78,11 +76,26 @@ class BucketQueue {
     return entries_[best].time <= until ? best : kNoSlot;
   }
 
+  /// Whether all events that it holds are later, but for that of one ball.
+  /// REQUIRES: nothing that it holds is before what `first` gave last.
+  [[nodiscard]] bool precedes(Ticks time, Slot but) const {
+    if (bucket_of(time) > present_) return false;
+    for (Slot k = heads_[present_]; k != kNoSlot; k = entries_[k].next) {
+      if (entries_[k].time <= time && k != but) return false;
+    }
+    return true;
+  }
+
   [[nodiscard]] std::size_t bytes() const {
     return heads_.capacity() * sizeof(Slot) + entries_.capacity() * sizeof(Entry);
   }
 
  private:
+  [[nodiscard]] std::uint32_t bucket_of(Ticks time) const {
+    return static_cast<std::uint32_t>(
+        std::min(static_cast<double>(time) * per_tick_, static_cast<double>(last_)));
+  }
+
   struct Entry {
     Ticks time = 0;
     Slot next = kNoSlot;

@@ -43,6 +43,7 @@ template <class P>
     path = {at.x - shift_x, at.y - shift_y, v.x, v.y};
   }
   side.leaves = exit(i, now);
+  look_how_far(i);
 }
 
 // Straight flights are farthest from anywhere where they begin or end.
@@ -121,7 +122,15 @@ template <class P>
     return !motion_.room().solid(axis) ||
            (x - reach > window_.lowest[axis] && x + reach < window_.highest[axis]);
   };
-  side.at_wall = clear(0, side.x) && clear(1, side.y) ? 0 : 1;
+  const bool at_wall = !clear(0, side.x) || !clear(1, side.y);
+  side.alone = static_cast<std::uint8_t>((side.alone & kFar) | (at_wall ? kAtWall : 0));
+}
+
+template <class P>
+[[gnu::always_inline]] inline void DomainLoop<P>::look_how_far(Slot i) {
+  Side& side = sides_[i];
+  const bool far = flies_far(disks_[i], window_.until);
+  side.alone = static_cast<std::uint8_t>((side.alone & kAtWall) | (far ? kFar : 0));
 }
 
 // Seconds until a place at `off` that moves straight at v is `radius` from 0.

@@ -102,7 +102,7 @@ bool DomainLoop<P>::start() {
   }
   cells_.reset(window_.loaded, wrapped, (2 * normal_radius_ + near_) * (1 + 0x1p-20), n);
   search_.reset(n, window_.loaded, wrapped, near_);
-  queue_.reset(n, window_.until - window_.from + 1);
+  queue_.reset(n, window_.until - window_.from + 1, window_.collisions / 2);
   lists_.reset(n);
   mixed_ = !motion_.one_kind();
   sort_into_slots();
@@ -133,6 +133,7 @@ void DomainLoop<P>::sort_into_slots() {
   trips_.resize(n);
   spins_.resize(motion_.rules().spins ? n : 0);
   radii_.resize(mixed_ ? n : 0);
+  first_.assign(n, {never<double>(), never<double>(), kUnknown});
   large_.clear();
   for (const Loaded& ball : loading_) {
     const std::uint32_t k = ends_[ball.cell]++;
@@ -142,12 +143,11 @@ void DomainLoop<P>::sort_into_slots() {
     Side& side = sides_[k];
     side = {};
     side.limit = ball.limit;
-    side.memory = ball.memory;
     side.own = ball.own ? 1 : 0;
     side.fixed = motion_.fixed(disk) ? 1 : 0;
     const double r = motion_.kind(disk).radius;
-    trips_[k] = {static_cast<float>(ball.path.x), static_cast<float>(ball.path.y), 0,
-                 ball.distance};
+    trips_[k] = {static_cast<float>(ball.path.x), static_cast<float>(ball.path.y), 0, ball.distance,
+                 ball.memory};
     if (!spins_.empty()) spins_[k] = flight_spins_[ball.memory];
     if (mixed_) radii_[k] = r;
     search_.set(k, ball.circle.x, ball.circle.y, r);
@@ -160,6 +160,7 @@ void DomainLoop<P>::sort_into_slots() {
     side.y = ball.circle.y;
     side.leaves = side.fixed != 0 ? never<double>() : exit(static_cast<Slot>(k), window_.from);
     look_for_walls(static_cast<Slot>(k));
+    look_how_far(static_cast<Slot>(k));
   }
 }
 
@@ -232,9 +233,10 @@ template <class P>
 void DomainLoop<P>::first_events() {
   const auto n = static_cast<std::uint32_t>(disks_.size());
   for (std::uint32_t k = 0; k < n && !unusual_; ++k) {
-    if (sides_[k].fixed == 0) {
-      settle(static_cast<Slot>(k), {disks_[k].meets, disks_[k].partner}, window_.from);
-    }
+    if (sides_[k].fixed != 0) continue;
+    const FirstEvent& first = first_[k];
+    keep_bound(static_cast<Slot>(k), first.time, first.others, static_cast<Slot>(first.partner),
+               window_.from);
   }
 }
 
@@ -244,13 +246,12 @@ void DomainLoop<P>::pair_up(Slot i, std::uint32_t from) {
   const std::uint32_t size = lists_.size(i);
   const Slot* const others = lists_.items(i);
   const typename Approach::Seer me = approach_.seer(paths_[i], i);
-  const auto note = [&](Slot a, Slot b, Ticks at) {
-    Disk& disk = disks_[a];
-    if (sides_[a].fixed != 0) return;
-    if (at == disk.meets) unusual_ = true;
-    if (at < disk.meets) {
-      disk.meets = at;
-      disk.partner = b;
+  const auto note = [&](Slot a, Slot b, double time) {
+    FirstEvent& first = first_[a];
+    first.others = std::min(first.others, std::max(first.time, time));
+    if (time < first.time) {
+      first.time = time;
+      first.partner = b;
     }
   };
   for (std::uint32_t k = from; k < size; k += kLanes) {
@@ -258,14 +259,9 @@ void DomainLoop<P>::pair_up(Slot i, std::uint32_t from) {
     const WholeLanes soon = bounds < all(end_);
     if (!any(soon)) continue;
     for (std::uint32_t l = 0; l < kLanes && k + l < size; ++l) {
-      const Slot j = others[k + l];
       if (soon[l] == 0) continue;
-      if (bounds[l] > sides_[i].leaves && bounds[l] > sides_[j].leaves) continue;
-      const Ticks at = pair_meets(i, j);
-      if (at <= window_.from) unusual_ = true;
-      if (at > window_.until) continue;
-      note(i, j, at);
-      note(j, i, at);
+      note(i, others[k + l], bounds[l]);
+      note(others[k + l], i, bounds[l]);
     }
   }
 }

@@ -27,7 +27,8 @@ struct DomainWindow {
   std::array<double, 2> highest{0, 0};  ///< periodic, no place is beyond
   double full = 0;   ///< balls of the halo no farther away are followed to the end,
   double reach = 0;  ///< those at this distance not at all, those between for part of the window
-  double skin = 0;   ///< balls are listed that can meet before either has gone this far
+  double collisions = 1;  ///< that a ball has in it, about
+  double skin = 0;        ///< balls are listed that can meet before either has gone this far
   Ticks from = 0;
   Ticks until = 0;
 };
@@ -36,8 +37,9 @@ struct DomainWindow {
 /// cache, made from flights alone and thrown away afterwards.
 ///
 /// A ball keeps the earliest event that it is known to have; where its partner changes before, it
-/// looks again then.  Which pairs can meet is told by a quick bound (Approach); only for those is
-/// the exact time worked out, the same pure function that Tile uses.
+/// looks again then.  A pair is queued at a quick lower bound of its time (Approach).  Its exact
+/// time, the same pure function that Tile uses, is worked out when that comes up, which for most
+/// predictions is never.
 ///
 /// What is rare is not done here: impacts of one instant that share a ball, or that are passed on
 /// at once.  Then the window is to be solved by Tile from the same flights.
@@ -67,7 +69,7 @@ class DomainLoop {
   [[nodiscard]] const double* spin(std::size_t k) const {
     return spins_.empty() ? nullptr : &spins_[k];
   }
-  [[nodiscard]] Index memory(std::size_t k) const { return sides_[k].memory; }
+  [[nodiscard]] Index memory(std::size_t k) const { return trips_[k].memory; }
   [[nodiscard]] bool owns(std::size_t k) const { return sides_[k].own != 0; }
   /// Of everything that has happened to the ball in the window.
   [[nodiscard]] std::uint64_t history(std::size_t k) const { return sides_[k].history; }
@@ -99,20 +101,30 @@ class DomainLoop {
     double x = 0;  ///< middle of its safe circle
     double y = 0;
     double leaves = 0;  ///< when it leaves that, seconds from the start
+    double others = 0;  ///< nothing else comes before this, where its event is at a lower bound
     Ticks limit = kNever;
     std::uint64_t history = 0;
     std::uint32_t changes = 0;          ///< flights that it has begun
     std::uint32_t partner_changes = 0;  ///< what its partner had, when that was found
-    Index memory = 0;
+    Index partner = kUnknown;           ///< of its event
     std::uint8_t own = 0;
     std::uint8_t fixed = 0;
-    std::uint8_t at_wall = 0;  ///< a wall may be met within its circle
+    std::uint8_t alone = 0;    ///< of kAtWall, kFar: what it may meet alone in the window
+    std::uint8_t bounded = 0;  ///< its event is at a lower bound of its time
   };
+  static constexpr std::uint8_t kAtWall = 1;  ///< a wall may be within its circle
+  static constexpr std::uint8_t kFar = 2;     ///< its flight may be long enough to start anew
   struct Trip {
     float x = 0;
     float y = 0;
     float square = 0;  ///< of the largest distance from there so far
     float distance = 0;
+    Index memory = 0;
+  };
+  struct FirstEvent {
+    double time;
+    double others;
+    Index partner;
   };
   struct Loaded {
     Path path;
@@ -151,8 +163,13 @@ class DomainLoop {
   [[nodiscard]] double exit(Slot i, Ticks now) const;
   void scan(Slot i, Ticks now);
   void settle(Slot i, Meeting<P> best, Ticks now);
+  void scan_exactly(Slot i, Ticks now);
+  void keep_bound(Slot i, double first, double others, Slot partner, Ticks now);
+  [[nodiscard]] bool make_exact(Slot i, Ticks& now, Ticks until);
+  void queue(Slot i, Ticks time);
   [[nodiscard]] Ticks pair_meets(Slot i, Slot j) const;
-  [[nodiscard]] bool meets_nothing_alone(const Disk& disk, const Side& side, Ticks until) const;
+  [[nodiscard]] bool flies_far(const Disk& disk, Ticks until) const;
+  void look_how_far(Slot i);
   void look_for_walls(Slot i);
 
   const Motion<P>& motion_;
@@ -177,6 +194,7 @@ class DomainLoop {
   HugeVector<Path> paths_;
   HugeVector<Side> sides_;
   std::vector<Trip> trips_;
+  std::vector<FirstEvent> first_;  ///< while the window is started
   std::vector<double> spins_;
   std::vector<double> radii_;  ///< where they differ
   std::vector<Slot> large_;    ///< balls larger than normal

@@ -13,8 +13,9 @@ bool DomainLoop<P>::advance_to(Ticks until) {
   for (Slot i = queue_.first(until - window_.from); i != kNoSlot && !unusual_;
        i = queue_.first(until - window_.from)) {
     if (++tally_.events > most) unusual_ = true;
-    const Ticks now = window_.from + queue_.time(i);
+    Ticks now = window_.from + queue_.time(i);
     queue_.remove(i);
+    if (sides_[i].bounded != 0 && !make_exact(i, now, until)) continue;
     if (tally_.events % kEventsOfSample == 0) {
       time_event(i, now);
     } else {
@@ -28,7 +29,7 @@ template <class P>
 [[gnu::noinline]] void DomainLoop<P>::time_event(Slot i, Ticks now) {
   TimedEvent<P> event;
   event.before = disks_[i];
-  event.partner = event.before.partner;
+  event.partner = sides_[i].partner;
   const auto j = static_cast<Slot>(event.partner);
   const bool at_ball = event.partner < kFirstMark;
   event.other_before = at_ball ? disks_[j] : event.before;
@@ -48,7 +49,7 @@ template <class P>
 
 template <class P>
 void DomainLoop<P>::handle(Slot i, Ticks now) {
-  const Index partner = disks_[i].partner;
+  const Index partner = sides_[i].partner;
   if (partner < kFirstMark) {
     const auto j = static_cast<Slot>(partner);
     if (sides_[j].changes != sides_[i].partner_changes) {
@@ -84,8 +85,8 @@ template <class P>
 void DomainLoop<P>::meet(Slot i, Slot j, Ticks now) {
   const bool moves = sides_[j].fixed == 0;
   if (queue_.holds(j)) {
-    if (window_.from + queue_.time(j) == now && disks_[j].partner != i &&
-        disks_[j].partner != kUnknown) {
+    if (window_.from + queue_.time(j) == now && sides_[j].partner != i &&
+        sides_[j].partner != kUnknown) {
       unusual_ = true;
     }
     queue_.remove(j);
@@ -98,7 +99,7 @@ void DomainLoop<P>::meet(Slot i, Slot j, Ticks now) {
     tally_.ball_halves += (own_i ? 1U : 0U) + (own_j ? 1U : 0U);
     tally_.max_overlap = std::max(tally_.max_overlap, strike.overlap);
     if (strike.lost > 0) {
-      const bool first = !moves || sides_[i].memory < sides_[j].memory;
+      const bool first = !moves || trips_[i].memory < trips_[j].memory;
       if (first ? own_i : own_j) tally_.lost.push_back(strike.lost);
     }
   }

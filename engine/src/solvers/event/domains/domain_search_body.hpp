@@ -9,14 +9,12 @@ namespace carom::event {
 
 // In time t a ball goes no farther than v t + a t^2 / 2.
 template <class P>
-[[gnu::always_inline]] inline bool DomainLoop<P>::meets_nothing_alone(const Disk& disk,
-                                                                      const Side& side,
-                                                                      Ticks until) const {
-  if (until - disk.start >= kLongestFlight) return false;
+[[gnu::always_inline]] inline bool DomainLoop<P>::flies_far(const Disk& disk, Ticks until) const {
+  if (until - disk.start >= kLongestFlight) return true;
   const double wait = motion_.rules().scale.seconds(until - disk.start);
   const double x = (std::abs(disk.vx) + pull_[0] * wait) * wait;
   const double y = (std::abs(disk.vy) + pull_[1] * wait) * wait;
-  return side.at_wall == 0 && x < farthest_[0] && y < farthest_[1];
+  return !(x < farthest_[0] && y < farthest_[1]);
 }
 
 template <class P>
@@ -64,12 +62,92 @@ template <class P>
   scan(i, now);
 }
 
-// The earliest event of the ball from now on.
+// The earliest event of the ball from now on: of a pair a lower bound, where nothing else comes as
+// early.
 template <class P>
 void DomainLoop<P>::scan(Slot i, Ticks now) {
-  const Side& side = sides_[i];
-  if (now > side.limit) return;
+  if (now > sides_[i].limit) return;
   ++tally_.scans;
+  double since = seconds(now);
+  if constexpr (P::Law::kStretches) {
+    const double rate = motion_.law().rate;
+    if (rate > 0) since = -std::expm1(-rate * since) / rate;
+  }
+  const typename Approach::Earliest earliest = approach_.earliest(
+      approach_.seer(paths_[i], i), paths_.data(), lists_.items(i), lists_.size(i), all(since));
+  keep_bound(i, earliest.first, earliest.second, earliest.ball, now);
+}
+
+// `first`, with `partner`, and `others`: as the bounds of Approach.
+template <class P>
+[[gnu::always_inline]] inline void DomainLoop<P>::keep_bound(Slot i, double first, double others,
+                                                             Slot partner, Ticks now) {
+  Side& side = sides_[i];
+  if constexpr (P::Law::kStretches) {
+    if (first < end_) first = motion_.law().when(first);
+    if (others < end_) others = motion_.law().when(others);
+  }
+  const double soonest = std::min(first, side.leaves);
+  if (!(soonest < end_)) {
+    if (side.alone == 0) return;
+    scan_exactly(i, now);
+    return;
+  }
+  const Ticks time =
+      window_.from + static_cast<Ticks>(soonest * motion_.rules().scale.per_second());
+  const bool pair = first < side.leaves;
+  if (side.alone != 0 || (pair && time <= now)) {
+    scan_exactly(i, now);
+    return;
+  }
+  side.others = std::min(others, side.leaves);
+  side.bounded = pair ? 1 : 0;
+  side.partner = pair ? Index{partner} : kUnknown;
+  if (pair) side.partner_changes = sides_[partner].changes;
+  queue(i, std::max(time, now));
+}
+
+// A ball may be followed for longer than its partner, which then knows of the two from here alone.
+template <class P>
+[[gnu::always_inline]] inline void DomainLoop<P>::queue(Slot i, Ticks time) {
+  const Side& side = sides_[i];
+  Ticks last = side.limit;
+  if (side.partner < kFirstMark) {
+    last = std::max(last, sides_[static_cast<Slot>(side.partner)].limit);
+  }
+  if (time <= std::min(window_.until, last)) queue_.add(i, time - window_.from);
+}
+
+// The bound of the ball's event has come up.  Gives whether the event is due, and when; where it is
+// not, it is queued again at its exact time.
+template <class P>
+bool DomainLoop<P>::make_exact(Slot i, Ticks& now, Ticks until) {
+  Side& side = sides_[i];
+  const auto j = static_cast<Slot>(side.partner);
+  if (sides_[j].changes != side.partner_changes) return true;
+  const Ticks time = pair_meets(i, j);
+  side.bounded = 0;
+  if (time < now) unusual_ = true;
+  if (time != kNever && seconds(time) < side.others) {
+    // The partner mostly waits for the same event, and for nothing before it.
+    const Side& other = sides_[j];
+    const bool mutual = other.partner == i && other.partner_changes == side.changes &&
+                        (other.bounded == 0 || seconds(time) < other.others);
+    if (time <= until && queue_.precedes(time - window_.from, mutual ? j : i)) {
+      now = time;
+      return true;
+    }
+    queue(i, time);
+  } else {
+    scan_exactly(i, now);
+  }
+  return false;
+}
+
+// The same as `scan` by exact times.
+template <class P>
+[[gnu::noinline]] void DomainLoop<P>::scan_exactly(Slot i, Ticks now) {
+  const Side& side = sides_[i];
   Meeting<P> best{};
   double soonest = std::min(end_, side.leaves);
   double since = seconds(now);
@@ -106,17 +184,16 @@ void DomainLoop<P>::scan(Slot i, Ticks now) {
 
 // With what it meets alone, and the end of its circle.
 template <class P>
-[[gnu::always_inline]] inline void DomainLoop<P>::settle(Slot i, Meeting<P> best, Ticks now) {
-  Disk& disk = disks_[i];
+void DomainLoop<P>::settle(Slot i, Meeting<P> best, Ticks now) {
+  const Disk& disk = disks_[i];
   Side& side = sides_[i];
   if (side.leaves < end_) {
     const Ticks leaves = std::max(
         now, window_.from + static_cast<Ticks>(side.leaves * motion_.rules().scale.per_second()));
     if (leaves < best.time) best = {leaves, kUnknown};
   }
-  Ticks last = std::min(window_.until, side.limit);
-  const Ticks soon = std::min(best.time, last);
-  if (!meets_nothing_alone(disk, side, soon)) {
+  const Ticks soon = std::min({best.time, window_.until, side.limit});
+  if ((side.alone & kAtWall) != 0 || flies_far(disk, soon)) {
     const Meeting<P> alone = motion_.alone(disk, soon);
     if (alone.time <= soon) {
       if (alone.time == best.time && best.partner != kUnknown) unusual_ = true;
@@ -124,15 +201,12 @@ template <class P>
       best = alone;
     }
   }
-  disk.partner = best.partner;
+  side.bounded = 0;
+  side.partner = best.partner;
   if (best.partner < kFirstMark) {
-    const Side& other = sides_[static_cast<Slot>(best.partner)];
-    side.partner_changes = other.changes;
-    // The other may be followed for longer, and know of it from here alone.
-    last = std::min(window_.until, std::max(side.limit, other.limit));
+    side.partner_changes = sides_[static_cast<Slot>(best.partner)].changes;
   }
-  if (best.time > last) return;
-  queue_.add(i, best.time - window_.from);
+  if (best.time != kNever) queue(i, best.time);
 }
 
 }  // namespace carom::event

@@ -16,8 +16,9 @@
 
 namespace carom::event {
 
-/// So many collisions a ball are a window.
+/// So many collisions a ball are a window; more where one domain is all, which has no halo.
 inline constexpr double kCollisionsOfWindow = 2;
+inline constexpr double kCollisionsOfOneDomain = 8;
 
 /// Balls solved window by window in domains of the plane, with the bits that one event loop over
 /// all balls has.
@@ -123,6 +124,9 @@ class Domains {
   };
 
   [[nodiscard]] bool alone() const { return regions_.size() == 1; }
+  [[nodiscard]] double collisions_of_window() const {
+    return alone() ? kCollisionsOfOneDomain : kCollisionsOfWindow;
+  }
   void decompose();
   void choose_radii(const std::vector<Disk>& flights);
   void guess_window(const std::vector<Disk>& flights);

@@ -23,7 +23,10 @@ void Domains<P>::set_workers(std::size_t workers) {
   if (open_) close_window();
   workers_ = workers;
   desks_.resize(workers);
+  const double before = collisions_of_window();
   decompose();
+  window_ = static_cast<Ticks>(static_cast<double>(window_) * (collisions_of_window() / before));
+  limit_window();
 }
 
 template <class P>
@@ -108,6 +111,7 @@ std::size_t Domains<P>::finish(std::size_t phase) {
   if (unusual) {
     by_tile_ = true;
     open_ = false;
+    memory_.clear();
     until_ = std::min(until_, target_);
     odd_windows_ += kOddWindow;
     return kSolve;
@@ -171,7 +175,7 @@ void Domains<P>::add_tally(const typename DomainLoop<P>::Tally& tally) {
 template <class P>
 void Domains<P>::adapt(double halves) {
   const auto span = static_cast<double>(until_ - from_);
-  const double wanted = kCollisionsOfWindow * static_cast<double>(movers_);
+  const double wanted = collisions_of_window() * static_cast<double>(movers_);
   if (!(span > 0)) return;
   const double many = std::max(halves, wanted / 4);
   const double length = std::clamp(span * wanted / many, static_cast<double>(window_) / 2,

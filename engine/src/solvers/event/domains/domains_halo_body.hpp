@@ -80,6 +80,7 @@ DomainWindow Domains<P>::window_of(Region& region) const {
   window.from = from_;
   window.until = until_;
   window.skin = skin_;
+  window.collisions = collisions_of_window();
   const double displaced = kFarther * speed_ * motion_->rules().scale.seconds(until_ - from_);
   const double full = (2 * displaced + 2 * normal_radius_ + kHaloSlack * spacing_) * region.wider;
   const double wanted = full + pyramid_ * spacing_ * region.wider;

@@ -44,9 +44,9 @@ void Domains<P>::reset(const std::vector<Disk>& flights, Ticks now,
   const double area = (box.upper[0] - box.lower[0]) * (box.upper[1] - box.lower[1]);
   spacing_ = std::sqrt(area / static_cast<double>(std::max<std::size_t>(n, 1)));
   choose_radii(flights);
+  decompose();
   guess_window(flights);
   pyramid_ = kFirstPyramid;
-  decompose();
   limit_window();
 }
 
@@ -105,7 +105,7 @@ void Domains<P>::guess_window(const std::vector<Disk>& flights) {
   const double crowd = (1 - packing / 2) / ((1 - packing) * (1 - packing));
   const double rate = 3 * speed * (diameters / n) / (spacing_ * spacing_) * crowd;
   const Ticks most = kLongestFlight / 64;
-  window_ = rate > 0 ? rules.scale.ticks(kCollisionsOfWindow / rate) : most;
+  window_ = rate > 0 ? rules.scale.ticks(collisions_of_window() / rate) : most;
   if (rules.drag_rate > 0) {
     longest_ = rules.scale.ticks(kMostDrag / rules.drag_rate);
   } else {
