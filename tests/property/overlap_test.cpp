@@ -135,9 +135,8 @@ RC_GTEST_PROP(Overlap, LengthsTimesAndMassesScaledByPowersOfTwoGiveTheSameRun, (
 }
 
 RC_GTEST_PROP(Overlap, AMirroredSceneGivesTheMirroredRun, ()) {
-  // Groups are resolved in the order of the balls, which a mirror keeps.  Only balls that coincide,
-  // as very fast ones do in a corner, have to be told apart by something that a mirror does not
-  // turn.
+  // Only balls that coincide, as very fast ones do in a corner, have to be told apart by something
+  // that a mirror does not turn.
   Scene scene = any_scene();
   for (Ball& ball : scene.balls) {
     if (ball.velocity.norm() > 8) ball.velocity /= 4096;

@@ -34,11 +34,10 @@ bool sweep(ContactGroup& group, int passes, Act act) {
 void pay(ContactGroup& group, const Vec2& acceleration, double work) {
   if (work == 0) return;
   const double square = acceleration.squaredNorm();
-  double stock = 0;
-  for (const Member& member : group.members) {
+  const double stock = group.sum_over_members([&](const Member& member) {
     const double along = member.velocity.dot(acceleration);
-    stock += member.mass * along * along / square / 2;
-  }
+    return member.mass * along * along / square / 2;
+  });
   if (stock == 0 && work < 0) return;
   const double kept = work < stock ? std::sqrt(1 - work / stock) : 0;
   for (Member& member : group.members) {
@@ -62,8 +61,10 @@ double GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactC
   sweep(group, kImpactPasses,
         [&](Contact& contact) { return group.collide(contact, domain_, rule_, count); });
   sweep(group, kSeparationPasses, [&](const Contact& contact) {
-    const double a = group.members[contact.a].inverse_mass / contact.inverse_masses;
-    return group.separate(contact, domain_, a, 1 - a);
+    const auto share = [&](std::uint32_t member) {
+      return group.members[member].inverse_mass / contact.inverse_masses;
+    };
+    return group.separate(contact, domain_, share(contact.a), share(contact.b));
   });
   // Where gravity acts on groups that are resolved here, nothing is lost.
   if (acceleration != Vec2{0, 0} && group.bound) {

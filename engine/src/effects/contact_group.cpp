@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "contact/dissipation.hpp"
 #include "effects/friction.hpp"
@@ -78,8 +79,24 @@ void ContactGroup::load(const Balls& balls, std::span<const Pair> pairs, const D
     contact.touching = contact.line.distance < contact.reach;
     contacts.push_back(contact);
   }
+  if (contacts.size() > 1) put_in_order();
   bound = std::any_of(members.begin(), members.end(),
                       [&](const Member& member) { return held(member, domain); });
+}
+
+// By what neither a mirror nor another order of the balls changes.
+void ContactGroup::put_in_order() {
+  const auto closing = [this](const Contact& contact) {
+    const Vec2 parting = members[contact.b].velocity - members[contact.a].velocity;
+    return parting.dot(contact.line.r) / contact.line.length;
+  };
+  std::stable_sort(contacts.begin(), contacts.end(), [&](const Contact& one, const Contact& two) {
+    const auto key = [&](const Contact& contact) {
+      return std::tuple(contact.line.distance, closing(contact), contact.inverse_masses,
+                        contact.reach);
+    };
+    return key(one) < key(two);
+  });
 }
 
 void ContactGroup::store(Balls& balls, const Domain& domain, Turns& turns) const {
@@ -115,11 +132,9 @@ double ContactGroup::kinetic_energy() const {
 }
 
 double ContactGroup::lifting_work(const Vec2& acceleration) const {
-  double sum = 0;
-  for (const Member& member : members) {
-    sum -= member.mass * acceleration.dot(member.position - member.start);
-  }
-  return sum;
+  return -sum_over_members([&](const Member& member) {
+    return member.mass * acceleration.dot(member.position - member.start);
+  });
 }
 
 void ContactGroup::keep_inside(Member& member, const Domain& domain) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -43,7 +45,9 @@ struct Contact {
 
 /// Balls that touch, worked on together: a copy that is loaded, changed and stored back.
 ///
-/// Holds: members in the order of their balls, contacts in the order of their pairs.
+/// Holds: members in the order of their balls; contacts in an order that follows from how the balls
+/// lie and move, so that neither the order of the balls nor a mirror changes a bit (contacts alike
+/// in all of that are in the order of their pairs).
 class ContactGroup {
  public:
   std::vector<Member> members;
@@ -64,6 +68,15 @@ class ContactGroup {
   /// The work that the moves since loading have done against a uniform acceleration.
   [[nodiscard]] double lifting_work(const Vec2& acceleration) const;
 
+  /// The same bits in any order of the members.
+  template <class Of>
+  [[nodiscard]] double sum_over_members(Of of) const {
+    std::vector<double> parts;
+    for (const Member& member : members) parts.push_back(of(member));
+    std::sort(parts.begin(), parts.end());
+    return std::accumulate(parts.begin(), parts.end(), 0.0);
+  }
+
   /// An impact along the contact, if its balls approach; says whether there was one.
   bool collide(Contact& contact, const Domain& domain, const CollisionRule& rule,
                ImpactCount& count);
@@ -78,6 +91,7 @@ class ContactGroup {
   Impact& note(const Contact& contact, double normal, const Rubbed& rubbed, ImpactLog& log) const;
 
  private:
+  void put_in_order();
   bool collide_under_pull(Contact& contact, const Domain& domain, const CollisionRule& rule,
                           ImpactCount& count);
   void keep_inside(Member& member, const Domain& domain);
