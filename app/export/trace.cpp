@@ -13,8 +13,9 @@ namespace {
 double microseconds(std::int64_t nanoseconds) {
   constexpr std::int64_t kThousand = 1000;
   constexpr std::int64_t kPart = 64;
-  return static_cast<double>(nanoseconds / kThousand) +
-         static_cast<double>(nanoseconds % kThousand * kPart / kThousand) / kPart;
+  const std::int64_t whole = nanoseconds / kThousand;
+  const std::int64_t parts = nanoseconds % kThousand * kPart / kThousand;
+  return static_cast<double>(whole) + static_cast<double>(parts) / kPart;
 }
 
 class Writer {

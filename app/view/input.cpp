@@ -66,9 +66,7 @@ std::size_t Input::take_escape() {
   if (bytes_.size() == 1) return 0;
   switch (bytes_[1]) {
     case '[':
-      return take_control_sequence(2);
-    case 'O':  // one character, of keys that a keyboard in application mode sends; parameters
-               // before
+    case 'O':  // of keys that a keyboard in application mode sends: one character after parameters
       return take_control_sequence(2);
     case ']':
     case 'P':

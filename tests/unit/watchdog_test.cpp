@@ -2,9 +2,9 @@
 #include "unit/watchdog.hpp"
 
 #include <gtest/gtest.h>
-#include <time.h>
 
 #include <chrono>
+#include <ctime>
 
 #include "carom/barrier.hpp"
 
