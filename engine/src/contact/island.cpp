@@ -10,12 +10,11 @@
 namespace carom::contact {
 namespace {
 
-constexpr double kSolved = 0x1p-20;         // of the speed that the acceleration makes in a step
-constexpr double kSolvedRubbing = 0x1p-14;  // the same with friction, as slips are not exact either
-constexpr double kSlowest = 0x1p-10;        // speeds, for which it is solved so much better
-constexpr double kStatic = 0x1p-24;         // the same for what is held at rest
-constexpr double kApart = 0x1p-8;           // how fast what overlaps comes apart
-constexpr double kClosed = 0x1p-14;    // a gap that is none, by the way of that speed in a step
+constexpr double kSolved = 0x1p-20;    // without friction; with it slips are not exact, either
+constexpr double kSlowest = 0x1p-10;   // speeds, for which it is solved so much better
+constexpr double kStatic = 0x1p-24;    // the same for what is held at rest
+constexpr double kApart = 0x1p-8;      // how fast what overlaps comes apart
+constexpr double kClosed = kExact;     // a gap that is none, by the way of that speed in a step
 constexpr double kTolerated = 0x1p-4;  // an overlap that stays where there is friction
 constexpr double kSlip = 0x1p-5;
 constexpr double kSlipChange = 0x1p-4;  // how exactly a slip is known
@@ -255,7 +254,7 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
   const double apart = apart_speed(moving, rule);
   // What hardly moves must be known as much better.
   const double slow = std::max(std::min(moving / rule.speed, 1.0), kSlowest);
-  work.goal = (D == 3 ? kSolvedRubbing : kSolved) * slow * rule.speed;
+  work.goal = (D == 3 ? kExact : kSolved) * slow * rule.speed;
   for (const IslandContact& c : contacts)
     work.rooms.push_back(closing_room(c, rule, tolerated<D>(), apart));
   outcome.solved = solve(work, island, outcome.bounced, outcome);
@@ -298,7 +297,7 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
       outcome.mean[i] = (bodies[i].before + outcome.after[i]) / 2;
     }
   }
-  keep_apart(island, plastic.after, D == 3 ? kSolvedRubbing : kSolved, outcome.mean);
+  keep_apart(island, plastic.after, D == 3 ? kExact : kSolved, outcome.mean);
   if (!any && rule.keeps_energy) {
     // No impact that could return it: what was stopped goes back as it came.
     for (std::size_t i = 0; i < n; ++i) {
@@ -456,7 +455,8 @@ bool IslandStep::holds(const std::vector<IslandBody>& bodies,
   }
   std::vector<IslandContact> closed = contacts;
   for (IslandContact& c : closed) {
-    // A contact that slides slower than kSlip, which counts as sticking, is lifted by mu times that.
+    // A contact that slides slower than kSlip, which counts as sticking, is lifted by mu times
+    // that.
     const double lifted = std::max(kClosed, spins ? c.friction * kSlip : 0);
     if (c.gap < lifted * rule.speed * rule.step) c.gap = 0;
   }

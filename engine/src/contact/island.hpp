@@ -8,6 +8,10 @@
 
 namespace carom::contact {
 
+/// What a step of an island is exact to, of the speed that the acceleration makes in a step; better
+/// without friction.
+constexpr double kExact = 0x1p-14;
+
 /// A ball of an island, at the start of a step.
 struct IslandBody {
   double inverse_mass = 0;  ///< more than 0

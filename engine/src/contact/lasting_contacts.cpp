@@ -22,8 +22,7 @@ constexpr double kStillAlone = 0x1p-10;
 // Closer than this after the flight balls are linked, as a part of how far the acceleration takes
 // a ball in a step.
 constexpr double kLinked = 3;
-constexpr double kExact = 0x1p-14;  // solutions are at least as exact
-constexpr double kUnequal = 16;     // masses: the heavier ball lies on the lighter one for long
+constexpr double kUnequal = 16;  // masses: the heavier ball lies on the lighter one for long
 
 Vec2 column(const std::array<std::vector<double>, 2>& columns, std::size_t ball) {
   return {columns[0][ball], columns[1][ball]};
@@ -420,19 +419,15 @@ void LastingContacts::resolve(std::size_t number, Balls& balls, bool may_sleep, 
   }
   island.sleeps = slow && step.holds(island.bodies, island.contacts, spins, rule);
   if (has_walls() && !island.sleeps) {
-    for (const std::uint32_t ball : beyond_far_walls(island, outcome.mean, rule_.step, domain_)) {
+    const WallEnds ends = ends_at_walls(island, outcome.mean, rule_.step, domain_);
+    for (const std::uint32_t ball : ends.beyond_far) {
       island.driven = island.driven || driven_[ball] == 0;
       driven_[ball] = 1;
     }
-    const std::vector<Vec2> inside = ways_inside(island, outcome.mean, rule_.step, domain_);
-    double out = 0;
-    for (std::size_t m = 0; m < inside.size(); ++m) {
-      out = std::max(out, (inside[m] - outcome.mean[m]).norm());
-    }
-    if (out > kExact * rule.speed) {
-      confine(island.bodies, rule, inside, outcome);
-    } else if (out > 0 && rule.keeps_energy) {
-      pay_for_rounding(rule, inside, outcome);
+    if (ends.out > kExact * rule.speed) {
+      confine(island.bodies, rule, ends.inside, outcome);
+    } else if (ends.out > 0 && rule.keeps_energy) {
+      pay_for_rounding(rule, ends.inside, outcome);
     }
   }
   island.turn_back(outcome);

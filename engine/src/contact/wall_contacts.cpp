@@ -17,22 +17,6 @@ bool near_wall(const Member& member, std::size_t axis, int side, double stop) {
   return gap <= kNearWall * member.radius;
 }
 
-bool beyond_far_wall(const Member& member, const Vec2& place, const Domain& domain) {
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    if (!domain.solid(axis)) continue;
-    for (const int side : {-1, 1}) {
-      const double stop = stop_at(domain, member, axis, side);
-      if (side * (stop - place[axis]) < 0 && !near_wall(member, axis, side, stop)) return true;
-    }
-  }
-  return false;
-}
-
-Vec2 end_of(const LastingIsland& island, std::size_t m, const std::vector<Vec2>& mean,
-            double step) {
-  return island.members[m].start + step * island.frame.out(mean[m]);
-}
-
 }  // namespace
 
 void add_wall_contacts(LastingIsland& island, const Domain& domain, const WallContactRule& rule,
@@ -56,34 +40,30 @@ void add_wall_contacts(LastingIsland& island, const Domain& domain, const WallCo
   }
 }
 
-std::vector<std::uint32_t> beyond_far_walls(const LastingIsland& island,
-                                            const std::vector<Vec2>& mean, double step,
-                                            const Domain& domain) {
-  std::vector<std::uint32_t> beyond;
+WallEnds ends_at_walls(const LastingIsland& island, const std::vector<Vec2>& mean, double step,
+                       const Domain& domain) {
+  WallEnds ends{mean, {}, 0};
   for (std::size_t m = 0; m < island.members.size(); ++m) {
     const Member& member = island.members[m];
-    if (beyond_far_wall(member, end_of(island, m, mean, step), domain))
-      beyond.push_back(member.ball);
-  }
-  return beyond;
-}
-
-std::vector<Vec2> ways_inside(const LastingIsland& island, const std::vector<Vec2>& mean,
-                              double step, const Domain& domain) {
-  std::vector<Vec2> inside = mean;
-  for (std::size_t m = 0; m < island.members.size(); ++m) {
-    const Member& member = island.members[m];
-    const Vec2 end = end_of(island, m, mean, step);
     Vec2 way = island.frame.out(mean[m]);
+    const Vec2 end = member.start + step * way;
+    bool out = false;
+    bool far = false;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       if (!domain.solid(axis)) continue;
       const double stop = std::clamp(end[axis], stop_at(domain, member, axis, -1),
                                      stop_at(domain, member, axis, 1));
-      if (stop != end[axis]) way[axis] = (stop - member.start[axis]) / step;
+      if (stop == end[axis]) continue;
+      out = true;
+      far = far || !near_wall(member, axis, end[axis] < stop ? -1 : 1, stop);
+      way[axis] = (stop - member.start[axis]) / step;
     }
-    inside[m] = island.frame.into(way);
+    if (!out) continue;
+    if (far) ends.beyond_far.push_back(member.ball);
+    ends.inside[m] = island.frame.into(way);
+    ends.out = std::max(ends.out, (ends.inside[m] - mean[m]).norm());
   }
-  return inside;
+  return ends;
 }
 
 }  // namespace carom::contact

@@ -22,15 +22,13 @@ constexpr double kNearWall = 0.25;
 void add_wall_contacts(LastingIsland& island, const Domain& domain, const WallContactRule& rule,
                        const std::vector<char>& driven);
 
-/// The balls of an island that ways of these mean velocities, in its frame, take beyond a wall that
-/// was not near.
-[[nodiscard]] std::vector<std::uint32_t> beyond_far_walls(const LastingIsland& island,
-                                                          const std::vector<Vec2>& mean,
-                                                          double step, const Domain& domain);
-
-/// The mean velocities, in the frame of the island, of ways that end inside the walls.
-[[nodiscard]] std::vector<Vec2> ways_inside(const LastingIsland& island,
-                                            const std::vector<Vec2>& mean, double step,
-                                            const Domain& domain);
+/// Where the walls end the ways of an island's balls.
+struct WallEnds {
+  std::vector<Vec2> inside;               ///< mean velocities, in its frame, that end inside
+  std::vector<std::uint32_t> beyond_far;  ///< balls that went beyond a wall that was not near
+  double out = 0;                         ///< the most that any mean velocity was changed
+};
+[[nodiscard]] WallEnds ends_at_walls(const LastingIsland& island, const std::vector<Vec2>& mean,
+                                     double step, const Domain& domain);
 
 }  // namespace carom::contact
