@@ -178,6 +178,28 @@ class BlockCholesky<D>::Multiplier {
   alignas(32) std::array<double, std::size_t{D} * D * kLanes> factors_{};
 };
 
+// How a row pushes a body, as a column: target += weight this other', a column at a time.
+template <int D>
+class BlockCholesky<D>::Edge {
+ public:
+  Edge(const double (&j)[D], double side) {
+    for (int c = 0; c < D; ++c) parts_[index(c)] = c < 2 ? side * j[c] : j[c];
+  }
+
+  void add(double weight, const Edge& other, Block& target) const {
+    const auto weighted = weight * Column<D>::of(parts_.data()).lanes;
+    for (int c = 0; c < D; ++c) {
+      double* const column = target.v.data() + c * kLanes;
+      auto t = Column<D>::of(column);
+      t.lanes += weighted * other.parts_[index(c)];
+      t.put(column);
+    }
+  }
+
+ private:
+  alignas(32) std::array<double, kLanes> parts_{};
+};
+
 template <int D>
 void BlockCholesky<D>::factor(const ContactProblem<D>& problem,
                               const std::vector<double>& weights) {
@@ -188,21 +210,14 @@ void BlockCholesky<D>::factor(const ContactProblem<D>& problem,
   }
   for (std::size_t k = 0; k < problem.rows.size(); ++k) {
     const Row<D>& row = problem.rows[k];
-    const double weight = weights[k];
-    Block& a = factor_[index(column_[index(place_[index(row.a)])])];
-    for (int c = 0; c < D; ++c) {
-      for (int e = 0; e < D; ++e) a.at(e, c) += weight * row.of_a(e) * row.of_a(c);
-    }
+    const Edge of_a(row.j, -1);
+    const Edge of_b(row.j, 1);
+    of_a.add(weights[k], of_a, factor_[index(column_[index(place_[index(row.a)])])]);
     if (row.b < 0) continue;
-    Block& b = factor_[index(column_[index(place_[index(row.b)])])];
+    of_b.add(weights[k], of_b, factor_[index(column_[index(place_[index(row.b)])])]);
     Block& between = factor_[index(row_place_[k])];
     const bool a_is_later = place_[index(row.a)] > place_[index(row.b)];
-    for (int c = 0; c < D; ++c) {
-      for (int e = 0; e < D; ++e) {
-        b.at(e, c) += weight * row.j[e] * row.j[c];
-        between.at(e, c) += weight * (a_is_later ? row.of_a(e) * row.j[c] : row.j[e] * row.of_a(c));
-      }
-    }
+    (a_is_later ? of_a : of_b).add(weights[k], a_is_later ? of_b : of_a, between);
   }
   std::fill(head_.begin(), head_.end(), -1);
   // Stores of numbers leave these as they are, which a compiler cannot know of members.
@@ -255,18 +270,18 @@ void BlockCholesky<D>::factor_diagonal(std::size_t j) {
     for (int m = 0; m < a; ++m) s -= c.at(a, m) * c.at(a, m);
     const double pivot = std::sqrt(std::max(s, kLeastPivot * std::abs(w.at(a, a))));
     c.at(a, a) = pivot;
+    u.at(a, a) = 1 / pivot;
     for (int i = a + 1; i < D; ++i) {
       double t = w.at(i, a);
       for (int m = 0; m < a; ++m) t -= c.at(i, m) * c.at(a, m);
-      c.at(i, a) = t / pivot;
+      c.at(i, a) = t * u.at(a, a);
     }
   }
   for (int a = 0; a < D; ++a) {
-    u.at(a, a) = 1 / c.at(a, a);
     for (int i = a + 1; i < D; ++i) {
       double t = 0;
       for (int m = a; m < i; ++m) t -= c.at(i, m) * u.at(m, a);
-      u.at(i, a) = t / c.at(i, i);
+      u.at(i, a) = t * u.at(i, i);
     }
   }
   factor_[index(column_[j])] = c;

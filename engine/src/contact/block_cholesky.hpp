@@ -37,6 +37,7 @@ class BlockCholesky {
     std::array<double, kLanes> v{};
   };
   class Multiplier;
+  class Edge;
 
   void factor_diagonal(std::size_t j);
   [[nodiscard]] int find(int a, int b) const;

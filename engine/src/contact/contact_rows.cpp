@@ -21,14 +21,15 @@ template <int D>
 void ContactProblem<D>::spread(const std::vector<double>& impulses, std::vector<double>& motion,
                                bool by_mass) const {
   motion.assign(inverse_mass.size(), 0.0);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const double f = impulses[k];
+  double* const moved = motion.data();
+  const double* next = impulses.data();
+  for (const Row<D>& row : rows) {
+    const double f = *next++;
     if (f == 0) continue;
-    const Row<D>& row = rows[k];
-    double* a = motion.data() + row.a * D;
+    double* a = moved + row.a * D;
     for (int c = 0; c < D; ++c) a[c] += f * row.of_a(c);
     if (row.b < 0) continue;
-    double* b = motion.data() + row.b * D;
+    double* b = moved + row.b * D;
     for (int c = 0; c < D; ++c) b[c] += f * row.j[c];
   }
   if (!by_mass) return;
@@ -39,16 +40,17 @@ template <int D>
 void ContactProblem<D>::gather(const std::vector<double>& motion,
                                std::vector<double>& opening) const {
   opening.resize(rows.size());
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Row<D>& row = rows[k];
-    const double* a = motion.data() + row.a * D;
+  const double* const moved = motion.data();
+  double* next = opening.data();
+  for (const Row<D>& row : rows) {
+    const double* a = moved + row.a * D;
     double sum = 0;
     for (int c = 0; c < D; ++c) sum += row.of_a(c) * a[c];
     if (row.b >= 0) {
-      const double* b = motion.data() + row.b * D;
+      const double* b = moved + row.b * D;
       for (int c = 0; c < D; ++c) sum += row.j[c] * b[c];
     }
-    opening[k] = sum;
+    *next++ = sum;
   }
 }
 

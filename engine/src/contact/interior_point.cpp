@@ -1,6 +1,7 @@
 #include "contact/interior_point.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,7 @@ constexpr int kIterations = 45;
 constexpr int kMoreIterations = 150;
 constexpr double kCompliance = 1e-13;  // keeps the pivots positive
 constexpr double kAlmost = 0.995;      // of the way to the border
+constexpr double kDiffers = 4;         // times the mean by which a problem differs from the last
 constexpr double kClosed = 0x1p12;     // a gap that closes slower than this many goals
 constexpr std::size_t kFew = 256;      // rows; of more, guesses fail too often
 
@@ -25,6 +27,27 @@ void InteriorPoint<D>::start(const ContactProblem<D>& problem, double impulse, d
     y_[k] = std::max(problem.rows[k].q, speed);
   }
   problem.spread(x_, motion_, true);
+}
+
+template <int D>
+bool InteriorPoint<D>::start_on_the_way(const ContactProblem<D>& problem) {
+  const std::size_t m = problem.rows.size();
+  double square = 0;
+  for (std::size_t k = 0; k < m; ++k) {
+    const double change = problem.rows[k].q - way_q_[k];
+    square += change * change;
+  }
+  const double differs = kDiffers * std::sqrt(square / static_cast<double>(m));
+  std::size_t last = way_length_;
+  while (last > 0 && way_[last - 1].miss < differs) --last;
+  if (last == 0) return false;
+  x_ = way_[last - 1].x;
+  y_ = way_[last - 1].y;
+  for (std::size_t k = 0; k < m; ++k) {
+    y_[k] = std::max(y_[k] + problem.rows[k].q - way_q_[k], y_[k] / 4);
+  }
+  problem.spread(x_, motion_, true);
+  return true;
 }
 
 template <int D>
@@ -42,14 +65,25 @@ void InteriorPoint<D>::direction(const ContactProblem<D>& problem, Column& dx, C
   }
 }
 
+// In lanes and without branches: which row comes first cannot be foreseen.
 template <int D>
 double InteriorPoint<D>::longest(const Column& dx, const Column& dy, double part) const {
-  double length = 1;
-  for (std::size_t k = 0; k < x_.size(); ++k) {
-    if (dx[k] < 0) length = std::min(length, -part * x_[k] / dx[k]);
-    if (dy[k] < 0) length = std::min(length, -part * y_[k] / dy[k]);
+  constexpr std::size_t kLanes = 8;
+  std::array<double, kLanes> fastest{};
+  const std::size_t m = x_.size();
+  const auto look = [&](std::size_t k, std::size_t lane) {
+    const double of_x = -dx[k] * inverse_x_[k];
+    const double of_y = -dy[k] / y_[k];
+    const double faster = of_x > of_y ? of_x : of_y;
+    fastest[lane] = faster > fastest[lane] ? faster : fastest[lane];
+  };
+  std::size_t k = 0;
+  for (; k + kLanes <= m; k += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) look(k + lane, lane);
   }
-  return length;
+  for (; k < m; ++k) look(k, 0);
+  const double most = *std::max_element(fastest.begin(), fastest.end());
+  return most > part ? part / most : 1;
 }
 
 template <int D>
@@ -69,6 +103,11 @@ int InteriorPoint<D>::iterate(const ContactProblem<D>& problem, double goal, int
     }
     mean /= count;
     if (!std::isfinite(mean) || (gap < goal / 2 && worst < goal / 2)) return iteration;
+    if (way_.size() == way_length_) way_.emplace_back();
+    Waypoint& here = way_[way_length_++];
+    here.x = x_;
+    here.y = y_;
+    here.miss = std::max(gap, worst);
     for (std::size_t k = 0; k < m; ++k) {
       inverse_x_[k] = 1 / x_[k];
       weight_[k] = 1 / (y_[k] * inverse_x_[k] + kCompliance * problem.rows[k].w);
@@ -141,6 +180,8 @@ typename InteriorPoint<D>::Outcome InteriorPoint<D>::solve(const ContactProblem<
   impulses.assign(m, 0.0);
   Outcome best;
   best.residual = problem.residual(impulses);
+  const bool resumes = like != nullptr && way_q_.size() == m;
+  if (!resumes) way_q_.clear();
   if (m == 0 || best.residual < goal) return best;
   matrix_.analyse(problem);
   if (m <= kFew && guess(problem, goal, std::move(first), impulses, best)) return best;
@@ -152,7 +193,9 @@ typename InteriorPoint<D>::Outcome InteriorPoint<D>::solve(const ContactProblem<
   for (const Row<D>& row : problem.rows) fastest = std::max(fastest, std::abs(row.q));
   Column found(m);
   for (const double larger : {1.0, 1e3, 1e6}) {
-    start(problem, larger, 0.1 * fastest);
+    const bool on_the_way = larger == 1 && resumes && start_on_the_way(problem);
+    if (!on_the_way) start(problem, larger, 0.1 * fastest);
+    way_length_ = 0;
     best.factorisations += iterate(problem, goal, larger == 1 ? kIterations : kMoreIterations);
     bool finite = true;
     for (std::size_t k = 0; k < m; ++k) {
@@ -167,6 +210,8 @@ typename InteriorPoint<D>::Outcome InteriorPoint<D>::solve(const ContactProblem<
     best.solved = best.residual < 2 * goal;
     if (best.solved) break;
   }
+  way_q_.resize(m);
+  for (std::size_t k = 0; k < m; ++k) way_q_[k] = problem.rows[k].q;
   return best;
 }
 

@@ -17,7 +17,8 @@ namespace carom::contact {
 /// the next) is tried again with larger impulses.  Where rows are few an active set comes first:
 /// which of many rows carry an impulse can mostly not be guessed.
 ///
-/// Holds: the answer is a function of the problem alone: nothing is kept from solve to solve.
+/// Holds: the answer is a function of the problem alone, or, with `like`, of that and the problem
+/// solved before.
 /// Source: Mehrotra, SIAM J. Optim. 2 (1992) 575; Gondzio, Comput. Optim. Appl. 6 (1996) 137.
 template <int D>
 class InteriorPoint {
@@ -29,13 +30,22 @@ class InteriorPoint {
   };
 
   /// The least impulses >= 0 after which no row closes faster than `goal`, a speed.  `like`: those
-  /// of a problem that differs little, if there is one.
+  /// of the problem solved just before, if it has the same rows and differs little.
   Outcome solve(const ContactProblem<D>& problem, double goal, std::vector<double>& impulses,
                 const std::vector<double>* like = nullptr);
 
  private:
   using Column = std::vector<double>;
 
+  /// An iterate on the way to the last answer.
+  struct Waypoint {
+    Column x, y;
+    double miss = 0;  // the speed by which it missed the conditions
+  };
+
+  /// Starts from where the way to the last answer missed its conditions by as much as `problem`
+  /// differs from that one; whether there is such a place.
+  bool start_on_the_way(const ContactProblem<D>& problem);
   void start(const ContactProblem<D>& problem, double impulse, double speed);
   int iterate(const ContactProblem<D>& problem, double goal, int most);
   void direction(const ContactProblem<D>& problem, Column& dx, Column& dy);
@@ -52,6 +62,9 @@ class InteriorPoint {
   Column dx_, dy_, other_dx_, other_dy_;
   Column inverse_x_, weight_, miss_, target_, scratch_, opening_;
   Column motion_, change_;
+  std::vector<Waypoint> way_;  // to the last answer; beyond way_length_ spare room
+  std::size_t way_length_ = 0;
+  Column way_q_;  // of the rows of that problem
 };
 
 }  // namespace carom::contact
