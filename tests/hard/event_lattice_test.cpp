@@ -53,8 +53,12 @@ Lattice lattice(unsigned seed, double unit = 1) {
 // Where a gap of zero holds some energy, the book has it.
 // Seen to fail where a joint impact ends inelastically after some rounds, and where the step of a
 // crowd takes the impact on a wall as a contact that rests.
+// Of the others, 546 to 2455 lost up to 1e-5 of it in silence, 310 to 3812 ended with an error, and
+// 1350 took a minute for a wedge of 2e-5.
 TEST(EventContact, elastic_lattices_end_and_keep_their_energy) {
-  for (unsigned seed = 0; seed < 300; ++seed) {
+  std::vector<unsigned> seeds{546, 557, 823, 1444, 1926, 1935, 2455, 310, 866, 1350, 3418, 3812};
+  for (unsigned seed = 0; seed < 300; ++seed) seeds.push_back(seed);
+  for (const unsigned seed : seeds) {
     const Lattice start = lattice(seed);
     const test::ContactOutcome end = test::run_contact(start.scene, start.balls, 2);
     const bool jammed = end.measured.jammed > 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,6 +43,7 @@ struct Stroke {
 /// where balls are wedged in between walls and bounce for ever in no time at all.
 inline constexpr double kMostWork = 1 << 18;
 inline constexpr double kFewRounds = 128;
+inline constexpr int kAnyRounds = std::numeric_limits<int>::max();
 /// A component of a normal that is smaller than this part of the other may be rounding.
 inline constexpr double kRoundingOfNormal = 0x1p-40;
 
@@ -92,8 +94,9 @@ class JointImpact {
 
   JointReport resolve() {
     const bool elastic = lossless();
-    const int most = most_rounds();
-    const int soon = std::min(most, 16 + 4 * static_cast<int>(graph_.size()));
+    const int few = 16 + 4 * static_cast<int>(graph_.size());
+    const int most = std::min(most_rounds(), elastic && is_too_narrow() ? few : kAnyRounds);
+    const int soon = std::min(most, few);
     const std::vector<Vec<S>> start = elastic ? velocity_ : std::vector<Vec<S>>{};
     bool stopped = false;
     while (const auto approaching = choose(true)) {
@@ -140,6 +143,18 @@ class JointImpact {
 
   static std::size_t count(const Chosen& chosen) {
     return static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), 1));
+  }
+
+  /// Whether the group is one body in a wedge so narrow that its pi / angle rounds are too many.
+  bool is_too_narrow() const {
+    if (graph_.size() != 2 || graph_.contact(0).a != graph_.contact(1).a) return false;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const int other = graph_.contact(k).b;
+      if (graph_.inverse_mass(other) != 0 || !(graph_.mobility(k) > 0)) return false;
+    }
+    const S turn = cross(graph_.normal(0), graph_.normal(1));
+    const S along = sharp_dot(graph_.normal(0), graph_.normal(1));
+    return along < 0 && absolute(turn) * most_rounds() < 3;
   }
 
   /// Whether some contact has no motion of the group that opens it while the others stay closed or

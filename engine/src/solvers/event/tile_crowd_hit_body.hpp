@@ -180,11 +180,11 @@ void Tile<P>::reflect_crowd(Gathering& crowd, Hits& hits) {
     const Disk& disk = disks_[crowd.members[a]];
     const double pressing =
         c.b == kWall ? dot(c.normal, in_double(motion_.law_of(disk).pull())) : 0;
-    const double away = std::abs(approach(crowd, k));
+    const double away = gives_up() ? 0 : std::abs(approach(crowd, k));
     const auto reach = static_cast<double>(root(S(dot(crowd.near[k].r, crowd.near[k].r))));
     const auto pull = static_cast<double>(motion_.pull());
     if (!barely_hops(away, c.b == kWall ? pressing : pull, reach, kAtOnce) && away != 0) continue;
-    if (c.b == kWall && !(pressing > 0)) continue;
+    if (c.b == kWall && !(pressing > 0) && !gives_up()) continue;
     hits.stays[a] = 1;
     if (c.b != kWall) hits.stays[static_cast<std::size_t>(c.b)] = 1;
   }
@@ -245,7 +245,7 @@ void Tile<P>::hit_crowd(Gathering& crowd, At now) {
     unsigned& carried = crowd.carried[m];
     rested = rested || carried == kResting;
     if (carried == kResting && log_ != nullptr) log_wake(crowd.members[m], now);
-    const bool of_it = (carried >= kResting && !elastic) || hits.stays[m] != 0;
+    const bool of_it = (carried >= kResting && (!elastic || gives_up())) || hits.stays[m] != 0;
     if (of_it && carried != kStepped) {
       // It has not been given what gravity makes till the next step.
       crowd.bodies[m].velocity = crowd.bodies[m].velocity + span * g;

@@ -39,6 +39,11 @@ void Tile<P>::watch(At now) {
   }
   at_once_ = 0;
   watched_ = 0;
+  // What was resolved without all that is so near is to be resolved with it.
+  resolved_.clear();
+  linked_.clear();
+  for (const Index i : hit_) hits_[i] = 0;
+  hit_.clear();
 }
 
 // What drag takes follows from the flight alone.
