@@ -46,6 +46,10 @@ typedef std::int64_t WholeTwoLanes __attribute__((vector_size(16)));
 [[gnu::always_inline]] inline bool any(WholeLanes a) {
   return _mm256_movemask_pd(std::bit_cast<Lanes>(a)) != 0;
 }
+/// In which lanes: a bit for each.
+[[gnu::always_inline]] inline std::uint32_t which(WholeLanes a) {
+  return static_cast<std::uint32_t>(_mm256_movemask_pd(std::bit_cast<Lanes>(a)));
+}
 /// Whether it is true in more than one.
 [[gnu::always_inline]] inline bool several(WholeLanes a) {
   const int true_in = _mm256_movemask_pd(std::bit_cast<Lanes>(a));
@@ -68,6 +72,10 @@ typedef std::int64_t WholeTwoLanes __attribute__((vector_size(16)));
 [[gnu::always_inline]] inline bool any(WholeLanes a) {
   return (a[0] | a[1] | a[2] | a[3]) != 0;
 }
+[[gnu::always_inline]] inline std::uint32_t which(WholeLanes a) {
+  return (a[0] != 0 ? 1U : 0U) | (a[1] != 0 ? 2U : 0U) | (a[2] != 0 ? 4U : 0U) |
+         (a[3] != 0 ? 8U : 0U);
+}
 [[gnu::always_inline]] inline bool several(WholeLanes a) {
   return a[0] + a[1] + a[2] + a[3] < -1;
 }
@@ -86,13 +94,7 @@ typedef std::int64_t WholeTwoLanes __attribute__((vector_size(16)));
 /// The number of the first lane that holds `value`.
 /// REQUIRES: one does.
 [[gnu::always_inline]] inline std::uint32_t lane_of(Lanes a, double value) {
-#if defined(__AVX__) && defined(__FMA__)
-  const WholeLanes same = a == all(value);
-  return static_cast<std::uint32_t>(
-      std::countr_zero(static_cast<unsigned>(_mm256_movemask_pd(std::bit_cast<Lanes>(same)))));
-#else
-  return a[0] == value ? 0 : a[1] == value ? 1 : a[2] == value ? 2 : 3;
-#endif
+  return static_cast<std::uint32_t>(std::countr_zero(which(a == all(value))));
 }
 [[gnu::always_inline]] inline double least(Lanes a) {
   const double low = a[0] < a[2] ? a[0] : a[2];

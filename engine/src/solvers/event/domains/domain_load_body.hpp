@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "solvers/event/domains/domain_loop.hpp"
 
@@ -256,12 +258,15 @@ void DomainLoop<P>::pair_up(Slot i, std::uint32_t from) {
   };
   for (std::uint32_t k = from; k < size; k += kLanes) {
     const Lanes bounds = approach_.bounds(me, paths_.data(), others + k, Lanes{});
-    const WholeLanes soon = bounds < all(end_);
-    if (!any(soon)) continue;
-    for (std::uint32_t l = 0; l < kLanes && k + l < size; ++l) {
-      if (soon[l] == 0) continue;
-      note(i, others[k + l], bounds[l]);
-      note(others[k + l], i, bounds[l]);
+    std::uint32_t soon = which(bounds < all(end_));
+    if (size - k < kLanes) soon &= (1U << (size - k)) - 1;
+    if (soon == 0) continue;
+    alignas(sizeof(Lanes)) double times[kLanes];
+    std::memcpy(times, &bounds, sizeof bounds);
+    for (; soon != 0; soon &= soon - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(soon));
+      note(i, others[k + lane], times[lane]);
+      note(others[k + lane], i, times[lane]);
     }
   }
 }

@@ -247,7 +247,8 @@ std::size_t Domains<P>::judge() {
   }
   // About one domain in twenty is solved again.
   const double part = static_cast<double>(tried_again_) / static_cast<double>(regions_.size());
-  pyramid_ = std::clamp(pyramid_ * (part > 0.06 ? 1.05 : 0.99), 1.0, 40.0);
+  const double wider = part > 0.2 ? 1.2 : part > 0.06 ? 1.05 : 0.99;
+  pyramid_ = std::clamp(pyramid_ * wider, 1.0, 40.0);
   tried_again_ = 0;
   const double span = motion_->rules().scale.seconds(until_ - from_);
   if (span > 0) speed_ = farthest / span;

@@ -9,7 +9,7 @@
 namespace carom::event {
 
 // A domain has about so many balls; below the second number and with one worker there is one.
-inline constexpr double kBallsOfDomain = 4000;
+inline constexpr double kBallsOfDomain = 5000;
 inline constexpr std::size_t kBallsOfOneDomain = 20000;
 // The skin of lists, by the mean diameter and the gap between neighbours.
 inline constexpr double kSkinOfDiameter = 0.3;
