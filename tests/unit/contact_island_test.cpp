@@ -61,6 +61,30 @@ TEST(ContactIsland, ATowerOfFiftyStandsAndCarriesItsWeight) {
   }
 }
 
+// What would lift the first ball out of the floor is more than the motion of the second has.
+TEST(ContactIsland, AnOverlapDoesNotStopWhatHardlyMoves) {
+  constexpr double kSpeed = 0x1p-20;
+  Pile pile;
+  for (int k = 0; k < 2; ++k) pile.on_floor(pile.ball());
+  pile.contacts[0].gap = -1e-4;
+  for (Vec2* v : {&pile.bodies[1].before, &pile.bodies[1].free, &pile.bodies[1].free_mean}) {
+    v->x() = kSpeed;
+  }
+  const IslandOutcome outcome = pile.take();
+  EXPECT_NEAR(outcome.mean[1].x(), kSpeed, kSpeed / 64);
+  EXPECT_NEAR(outcome.after[1].x(), kSpeed, kSpeed / 64);
+}
+
+TEST(ContactIsland, AnOverlapComesApartWhereMotionPaysForIt) {
+  Pile pile;
+  for (int k = 0; k < 2; ++k) pile.on_floor(pile.ball());
+  pile.contacts[0].gap = -1e-4;
+  for (Vec2* v : {&pile.bodies[1].before, &pile.bodies[1].free, &pile.bodies[1].free_mean}) {
+    v->x() = 1;
+  }
+  EXPECT_GT(pile.take().mean[0].y(), 0);
+}
+
 TEST(ContactIsland, ABallInTheAirIsNotInEquilibrium) {
   Pile pile;
   pile.ball();

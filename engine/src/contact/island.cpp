@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/island_contact.hpp"
 #include "contact/island_energy.hpp"
 #include "contact/island_friction.hpp"
+#include "contact/island_single.hpp"
 
 namespace carom::contact {
 namespace {
@@ -13,96 +15,15 @@ namespace {
 constexpr double kSolved = 0x1p-20;    // without friction; with it slips are not exact, either
 constexpr double kSlowest = 0x1p-10;   // speeds, for which it is solved so much better
 constexpr double kStatic = 0x1p-24;    // the same for what is held at rest
-constexpr double kApart = 0x1p-8;      // how fast what overlaps comes apart
-constexpr double kClosed = kExact;     // a gap that is none, by the way of that speed in a step
 constexpr double kTolerated = 0x1p-4;  // an overlap that stays where there is friction
 constexpr double kSlip = 0x1p-5;
 constexpr double kSlipChange = 0x1p-4;  // how exactly a slip is known
 constexpr int kSlipRounds = 2;
 constexpr int kBounceRounds = 4;
 
-Vec2 across(const Vec2& normal) {
-  return {-normal.y(), normal.x()};
-}
-
-double opening(const IslandContact& c, const Vec2& a, const Vec2& b) {
-  return c.b < 0 ? -c.normal.dot(a) : c.normal.dot(b - a);
-}
-
-std::size_t at(int k) {
-  return static_cast<std::size_t>(k);
-}
-
-const Vec2 kStill{0, 0};
-
-double opening_before(const std::vector<IslandBody>& bodies, const IslandContact& c) {
-  return opening(c, bodies[at(c.a)].before, c.b < 0 ? kStill : bodies[at(c.b)].before);
-}
-
-double opening_of(const std::vector<Vec2>& motion, const IslandContact& c) {
-  return opening(c, motion[at(c.a)], c.b < 0 ? kStill : motion[at(c.b)]);
-}
-
-/// How fast the two come together when they meet, after the relative pull on the way there; 0 or
-/// less: they part.
-double arrival(const std::vector<IslandBody>& bodies, const IslandContact& c,
-               const IslandStep::Rule& rule) {
-  const double closing = -opening_before(bodies, c);
-  if (c.b >= 0 || !(closing > 0)) return closing;
-  const double pull = rule.acceleration.dot(c.normal);
-  return std::sqrt(std::max(closing * closing + 2 * pull * std::max(c.gap, 0.0), 0.0));
-}
-
-/// Whether the two meet within the step, faster than what comes to rest.
-bool bounces(const std::vector<IslandBody>& bodies, const IslandContact& c,
-             const IslandStep::Rule& rule) {
-  if (c.restitution == 0) return false;
-  const double closing = -opening_before(bodies, c);
-  const double speed = arrival(bodies, c, rule);
-  return speed > rule.rest_speed && c.gap - rule.step * std::max(closing, speed) < 0;
-}
-
 template <int D>
 constexpr double tolerated() {
   return D == 3 ? kTolerated : kClosed;
-}
-
-/// How fast the two may come together so that they touch at the end of the step.  An overlap that
-/// is less than `tolerated`, by the way of the speed in a step, stays: what lifts balls out of it
-/// would have to come from somewhere.  A deeper one comes apart again.
-double closing_room(const IslandContact& c, const IslandStep::Rule& rule, double tolerated,
-                    double apart) {
-  const double way = rule.speed * rule.step;
-  if (c.gap > -tolerated * way && c.gap < kClosed * way) return 0;
-  return std::max(c.gap / rule.step, -apart);
-}
-
-/// The mean speed of an island's balls, which motion they share left out unless something holds
-/// them.
-double mean_speed(const std::vector<IslandBody>& bodies,
-                  const std::vector<IslandContact>& contacts) {
-  const bool held =
-      std::any_of(contacts.begin(), contacts.end(), [](const IslandContact& c) { return c.b < 0; });
-  double mass = 0;
-  Vec2 momentum{0, 0};
-  for (const IslandBody& body : bodies) {
-    mass += 1 / body.inverse_mass;
-    momentum += body.before / body.inverse_mass;
-  }
-  const Vec2 frame = held ? Vec2{0, 0} : momentum / mass;
-  double twice = 0;
-  for (const IslandBody& body : bodies) {
-    const double square = (body.before - frame).squaredNorm() + body.turning * body.turning / 2;
-    twice += square / body.inverse_mass;
-  }
-  return std::sqrt(twice / mass);
-}
-
-/// How fast overlaps come apart: what this lifts is paid for by the motion of the balls, so little
-/// where they hardly move.
-double apart_speed(double moving, const IslandStep::Rule& rule) {
-  const double part = std::min(moving / rule.speed, 1.0);
-  return kApart * rule.speed * part * part;
 }
 
 }  // namespace
@@ -250,7 +171,9 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
   outcome.bounced.assign(contacts.size(), 0);
   work.rooms.clear();
   work.impulses.clear();
-  const double moving = mean_speed(bodies, contacts);
+  const bool held =
+      std::any_of(contacts.begin(), contacts.end(), [](const IslandContact& c) { return c.b < 0; });
+  const double moving = mean_speed(bodies, held);
   const double apart = apart_speed(moving, rule);
   // What hardly moves must be known as much better.
   const double slow = std::max(std::min(moving / rule.speed, 1.0), kSlowest);
@@ -311,8 +234,6 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
   } else {
     lose_gain(bodies, rule, plastic.after, outcome);
   }
-  const bool held =
-      std::any_of(contacts.begin(), contacts.end(), [](const IslandContact& c) { return c.b < 0; });
   end_gain(bodies, rule, held, outcome);
 }
 
@@ -331,72 +252,6 @@ void IslandStep::keep_apart(const Island& island, const std::vector<Vec2>& plast
       }
     }
   }
-}
-
-// A contact alone: of a disk the normal impulse does not change the slip, nor the tangential one
-// the approach, so each has its own closed form.
-void IslandStep::take_single(const Island& island, IslandOutcome& outcome) {
-  const IslandContact& c = island.contacts.front();
-  const Rule& rule = island.rule;
-  const std::size_t n = island.bodies.size();
-  outcome.after.resize(n);
-  outcome.turning.resize(n);
-  outcome.mean.resize(n);
-  std::vector<Vec2>& motion = outcome.after;
-  for (std::size_t i = 0; i < n; ++i) {
-    motion[i] = island.bodies[i].free;
-    outcome.turning[i] = island.bodies[i].turning;
-    outcome.mean[i] = island.bodies[i].free_mean;
-  }
-  const bool bounce = bounces(island.bodies, c, rule);
-  const double free = opening_of(motion, c);
-  const double room =
-      closing_room(c, rule, kClosed, apart_speed(mean_speed(island.bodies, island.contacts), rule));
-  const bool meets = free + room < 0;
-  outcome.bounced.assign(1, bounce && meets ? 1 : 0);
-  outcome.normal.assign(1, 0.0);
-  outcome.along.assign(1, 0.0);
-  outcome.solved = true;
-  if (!meets) return;
-  const auto a = at(c.a);
-  const double of_a = island.bodies[a].inverse_mass;
-  const double of_b = c.b < 0 ? 0 : island.bodies[at(c.b)].inverse_mass;
-  const double wanted = bounce ? c.restitution * arrival(island.bodies, c, rule) : -room;
-  const double gained = std::max(wanted - free, 0.0);
-  outcome.normal[0] = gained / rule.fading / (of_a + of_b);
-  const Vec2 t = across(c.normal);
-  double along = 0;
-  if (c.friction > 0) {
-    const SurfaceMotion other =
-        c.b < 0 ? SurfaceMotion{} : SurfaceMotion{motion[at(c.b)], outcome.turning[at(c.b)]};
-    const double slip = slip_of(c, {motion[a], outcome.turning[a]}, other);
-    // The impact comes within the step: what it does not have to hold of the pull rubs nothing.
-    const double pressed = bounce ? (1 + c.restitution) * arrival(island.bodies, c, rule) : gained;
-    along = friction_against(slip, c.friction * pressed / rule.fading, rule.fading);
-  }
-  outcome.along[0] = along / (of_a + of_b);
-  const auto push = [&](std::size_t body, int side, double share) {
-    const Vec2 before = island.bodies[body].before;
-    outcome.after[body] += side * share * (gained * c.normal + rule.fading * along * t);
-    outcome.turning[body] -= 2 * share * along;
-    // Along the normal as far as it touches, across it by the mean.
-    const Vec2 met = island.bodies[body].free + side * share * (-room - free) * c.normal;
-    const double across_mean = t.dot(before + outcome.after[body]) / 2;
-    outcome.mean[body] = c.normal.dot(met) * c.normal + across_mean * t;
-  };
-  push(a, -1, of_a / (of_a + of_b));
-  if (c.b >= 0) push(at(c.b), 1, of_b / (of_a + of_b));
-  if (rule.keeps_energy || bounce) {
-    IslandOutcome plastic = outcome;
-    const auto stop = [&](std::size_t body, int side, double share) {
-      plastic.after[body] = island.bodies[body].free +
-                            side * share * ((-room - free) * c.normal + rule.fading * along * t);
-    };
-    stop(a, -1, of_a / (of_a + of_b));
-    if (c.b >= 0) stop(at(c.b), 1, of_b / (of_a + of_b));
-    hold_energy(island.bodies, rule, plastic, outcome);
-  }
-  end_gain(island.bodies, rule, c.b < 0, outcome);
 }
 
 template <int D>
@@ -436,7 +291,7 @@ void IslandStep::take(const std::vector<IslandBody>& bodies,
                       IslandOutcome& outcome) {
   const Island island{bodies, contacts, rule, unit_of(bodies)};
   if (contacts.size() == 1) {
-    take_single(island, outcome);
+    take_single(bodies, contacts.front(), rule, outcome);
   } else if (spins) {
     take(turning_, island, outcome);
   } else {

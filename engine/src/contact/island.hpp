@@ -98,7 +98,6 @@ class IslandStep {
 
   static void keep_apart(const Island& island, const std::vector<Vec2>& plastic, double solved,
                          std::vector<Vec2>& mean);
-  static void take_single(const Island& island, IslandOutcome& outcome);
   template <int D>
   void take(Work<D>& work, const Island& island, IslandOutcome& outcome);
   template <int D>
