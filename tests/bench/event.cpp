@@ -95,7 +95,7 @@ void measure(std::size_t n, double packing, std::size_t workers, double time_lim
   box.width = box.height = gas.side;
   box.periodic = {true, true};
   const TickScale scale(gas.side / 6);
-  Domains<Ballistic> domains({carom::Domain(box, false), scale, {0, 0}, true, 1, 1, {Kind{}}});
+  Domains<Ballistic> domains({carom::Domain(box, false), scale, {0, 0}, true, 1, 1, {Species{}}});
   std::vector<Disk> disks;
   for (const PlainGas::Ball& ball : gas.balls) {
     Disk disk;

@@ -1,5 +1,5 @@
-// What the exact method's pure functions cost, nanoseconds a call; `--pegs N` instead holds N
-// random and near-tangent flights past a fixed ball against Sturm's theorem in a hundred digits.
+// What the exact method's pure functions cost, nanoseconds a call; `--fixed disks N` instead holds
+// N random and near-tangent flights past a fixed ball against Sturm's theorem in a hundred digits.
 
 #include <fmt/core.h>
 
@@ -46,17 +46,17 @@ double textbook_time(const Vec<double>& r, const Vec<double>& v, double s) {
   return b < 0 && discriminant > 0 ? (-b - std::sqrt(discriminant)) / vv : event::never<double>();
 }
 
-int hold_pegs(int count) {
+int hold_fixed_disks(int count) {
   test::RandomNumbers random(1);
   int faults = 0;
   int hits = 0;
   for (int k = 0; k < count; ++k) {
-    const auto c = test::random_peg_case(random);
+    const auto c = test::random_fixed_disk_case(random);
     if (!c.from_contact && event::squared_gap(c.r, c.s) <= 0) continue;
     if (c.from_contact && event::sharp_dot(c.r, c.v) <= 0) continue;
-    const double t = event::peg_time(c.r, c.v, c.g, c.s, c.from_contact);
+    const double t = event::fixed_disk_time(c.r, c.v, c.g, c.s, c.from_contact);
     hits += t < event::never<double>() ? 1 : 0;
-    if (const char* fault = test::peg_fault(c, t)) {
+    if (const char* fault = test::fixed_disk_fault(c, t)) {
       ++faults;
       fmt::print("case {}: {}\n", k, fault);
     }
@@ -69,11 +69,11 @@ int hold_pegs(int count) {
 
 int main(int argc, char** argv) {
   if (argc == 3 && std::strcmp(argv[1], "--pegs") == 0)
-    return hold_pegs(static_cast<int>(std::strtol(argv[2], nullptr, 10)));
+    return hold_fixed_disks(static_cast<int>(std::strtol(argv[2], nullptr, 10)));
 
   test::RandomNumbers random(1);
   std::vector<Pairs> lanes(kCalls / event::kLanes);
-  std::vector<test::PegCase> pegs;
+  std::vector<test::FixedDiskCase> fixed_disks;
   for (auto& block : lanes) {
     for (std::uint32_t k = 0; k < event::kLanes; ++k) {
       const double angle = random.angle();
@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
       block.vx[k] = random.between(-1, 1);
       block.vy[k] = random.between(-1, 1);
       block.s[k] = 1;
-      pegs.push_back(test::random_peg_case(random));
+      fixed_disks.push_back(test::random_fixed_disk_case(random));
     }
   }
   std::vector<double> out(kCalls);
@@ -119,8 +119,8 @@ int main(int argc, char** argv) {
              }));
   fmt::print("fixed ball under gravity {:8.1f} ns\n", nanoseconds_a_call([&] {
                for (std::size_t n = 0; n < kCalls; ++n) {
-                 const auto& c = pegs[n];
-                 out[n] = event::peg_time(c.r, c.v, c.g, c.s, c.from_contact);
+                 const auto& c = fixed_disks[n];
+                 out[n] = event::fixed_disk_time(c.r, c.v, c.g, c.s, c.from_contact);
                }
              }));
   return 0;

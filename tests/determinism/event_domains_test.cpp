@@ -8,7 +8,7 @@
 #include "carom/crew.hpp"
 #include "carom/scene_file.hpp"
 #include "carom/session.hpp"
-#include "solvers/event/event_solver.hpp"
+#include "solvers/event/solver.hpp"
 #include "support/scenes.hpp"
 
 namespace carom {

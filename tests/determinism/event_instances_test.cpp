@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "solvers/event/tile_core.hpp"
+#include "solvers/event/loop_core.hpp"
 #include "state/balls.hpp"
 #include "support/scenes.hpp"
 
@@ -32,7 +32,7 @@ std::string hash(const Scene& scene, const Told& told) {
                   ""};
   if (told.friction) start.effects.friction = Friction{};
   if (told.gravity) start.effects.gravity = Gravity{{0, 0}};
-  TileCore<Ballistic> core(std::move(start));
+  LoopCore<Ballistic> core(std::move(start));
   Crew crew(1, core.phases());
   for (int frame = 1; frame <= 20; ++frame) {
     const std::size_t first = core.aim(0.1 * frame);
@@ -44,7 +44,7 @@ std::string hash(const Scene& scene, const Told& told) {
   return state_hash(Balls(balls));
 }
 
-Scene with_pegs(Scene scene) {
+Scene with_fixed_disks(Scene scene) {
   for (std::size_t i = 3; i < scene.balls.size(); i += 20) {
     scene.balls[i].fixed = true;
     scene.balls[i].velocity = {0, 0};
@@ -61,11 +61,11 @@ std::vector<Scene> scenes() {
   const Scene gas = test::gas(16, 16, 0.5);
   const Scene walled = test::walled_gas(16, 16, 0.4);
   return {gas,
-          with_pegs(gas),
+          with_fixed_disks(gas),
           walled,
-          with_pegs(walled),
+          with_fixed_disks(walled),
           in_gravity(walled),
-          in_gravity(with_pegs(walled))};
+          in_gravity(with_fixed_disks(walled))};
 }
 
 TEST(EventInstances, the_same_scene_has_the_same_bits_whatever_else_is_looked_for) {

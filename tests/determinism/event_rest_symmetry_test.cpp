@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/event/event_solver.hpp"
+#include "solvers/event/solver.hpp"
 #include "support/advance.hpp"
 
 namespace carom {

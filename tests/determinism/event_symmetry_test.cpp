@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "solvers/event/event_solver.hpp"
+#include "solvers/event/solver.hpp"
 #include "support/advance.hpp"
 
 namespace carom {
@@ -160,7 +160,7 @@ TEST_P(EventSymmetry, frames_only_look) {
   expect_same(once, run(scene_, 6, 2000), same, same, 1);
 }
 
-// Whatever is kept beside the flights is made anew: neighbours, agenda, the order in memory.
+// Whatever is kept beside the flights is made anew: neighbours, event queue, the order in memory.
 TEST_P(EventSymmetry, setting_an_effect_to_what_it_is_changes_no_bit) {
   const auto solver = std::make_unique<EventSolver>(scene_, scene_.balls);
   const std::vector<Phase> phases = solver->phases();

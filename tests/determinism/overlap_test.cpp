@@ -17,7 +17,7 @@ struct Case {
   double time;
 };
 
-Scene with_pegs() {
+Scene with_fixed_disks() {
   Scene scene = test::walled_gas(6, 6, 0.3);
   scene.effects.gravity = Gravity{{0.5, -9.81}};
   scene.effects.collisions->restitution = 0.8;
@@ -61,7 +61,7 @@ std::vector<Case> cases() {
   return {{"few balls", test::walled_gas(4, 4, 0.4), 1.5},
           {"dense and periodic", test::gas(8, 9, 0.85), 0.25},
           {"pile", test::pile(65, 0.2, 12), 0.75},
-          {"pegs", with_pegs(), 1},
+          {"pegs", with_fixed_disks(), 1},
           {"script", scripted(), 1.5},
           {"growing", growing(), 0.5}};
 }

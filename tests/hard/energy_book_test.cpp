@@ -131,7 +131,7 @@ TEST(EnergyBook, AFallInDragBalances) {
 }
 
 // What the steps of contacts that last leave unsolved, where method event has them.
-constexpr double kCrowds = 1e-4;
+constexpr double kIslands = 1e-4;
 
 struct Lossy {
   const char* name;
@@ -153,12 +153,12 @@ std::vector<Lossy> lossy_gases() {
   all.back().effects.friction = Friction{0.3, 0.4};
   all.push_back(lossy("drag", 1e-13, 1e-13));
   all.back().effects.drag = Drag{0.2};
-  all.push_back(lossy("falling", kCrowds, 1e-3));
+  all.push_back(lossy("falling", kIslands, 1e-3));
   all.back().effects.gravity = Gravity{{0, -9.81}};
-  all.push_back(lossy("falling with friction", kCrowds, 1e-3));
+  all.push_back(lossy("falling with friction", kIslands, 1e-3));
   all.back().effects.gravity = Gravity{{2, -9.81}};
   all.back().effects.friction = Friction{0.3, 0.4};
-  all.push_back(lossy("falling in drag with friction", kCrowds, 1e-3));
+  all.push_back(lossy("falling in drag with friction", kIslands, 1e-3));
   all.back().effects.gravity = Gravity{{0, -9.81}};
   all.back().effects.drag = Drag{0.2};
   all.back().effects.friction = Friction{0.3, 0.4};

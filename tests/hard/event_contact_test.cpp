@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "solvers/event/event_solver.hpp"
+#include "solvers/event/solver.hpp"
 #include "support/advance.hpp"
 
 namespace carom {
@@ -21,7 +21,7 @@ Ball ball(double x, double y, double mass = 1) {
   return result;
 }
 
-Ball peg(double x, double y, double radius = 0.5) {
+Ball fixed_disk(double x, double y, double radius = 0.5) {
   Ball result = ball(x, y);
   result.radius = radius;
   result.fixed = true;
@@ -71,7 +71,7 @@ TEST(EventContact, a_heavy_ball_rests_on_a_light_one) {
 }
 
 TEST(EventContact, an_elastic_ball_lies_on_a_fixed_one) {
-  expect_still(box(1, {0, -kG}), {peg(5, 3), ball(5, 4)}, 10);
+  expect_still(box(1, {0, -kG}), {fixed_disk(5, 3), ball(5, 4)}, 10);
 }
 
 // Walls that lose all and an elastic fixed ball: hops between the two have no end, and take all.
@@ -80,7 +80,7 @@ TEST(EventContact, hops_between_a_wall_and_a_fixed_ball_end) {
   scene.effects.collisions = Collisions{1};
   Ball thrown = ball(1, 3);
   thrown.velocity = {-8, -2};
-  const Outcome end = run(scene, {peg(1, 1, 0.25), thrown}, 4);
+  const Outcome end = run(scene, {fixed_disk(1, 1, 0.25), thrown}, 4);
   // It lies between the left wall and the fixed ball, 0.75 from its centre.
   EXPECT_NEAR(end.balls[1].position.x(), 0.5, 1e-6);
   EXPECT_NEAR(end.balls[1].position.y(), 1 + std::sqrt(0.75 * 0.75 - 0.25), 1e-6);
@@ -89,7 +89,7 @@ TEST(EventContact, hops_between_a_wall_and_a_fixed_ball_end) {
 
 // Nothing but gravity pushes along a floor that does not rub: whatever a ball that slides down
 // another and the one below do to each other, their momentum along it is m g_x t.
-// Seen to fail where a ball that leaves a crowd for the floor keeps what gravity gave it ahead.
+// Seen to fail where a ball that leaves an island for the floor keeps what gravity gave it ahead.
 TEST(EventContact, balls_that_part_on_a_slope_have_the_momentum_of_their_fall) {
   for (const double along : {-2.0, 0.5, 3.0}) {
     for (const double aside : {0.3, 0.6, 0.9}) {
@@ -109,7 +109,7 @@ TEST(EventContact, balls_that_part_on_a_slope_have_the_momentum_of_their_fall) {
   }
 }
 
-// What is pulled moves: g t^2 / 2, which a step of the crowd meets to first order.
+// What is pulled moves: g t^2 / 2, which a step of the island meets to first order.
 // Seen to fail where all that is slow comes to rest.
 TEST(EventContact, a_stack_on_tilted_ice_slides) {
   for (const double tilt : {1e-4, 1e-6}) {

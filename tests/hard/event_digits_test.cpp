@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hard/reference_scene.hpp"
-#include "solvers/event/event_solver.hpp"
-#include "solvers/event/tile.hpp"
+#include "solvers/event/event_loop.hpp"
+#include "solvers/event/solver.hpp"
 #include "solvers/event/wide_physics.hpp"
 #include "support/advance.hpp"
 
@@ -112,13 +112,13 @@ double return_error(double seconds) {
   const typename P::Time end = rules.scale.ticks(S(seconds));
   Flights<P> flights = start;
   for (int way = 0; way < 2; ++way) {
-    event::Tile<P> tile(rules);
-    tile.reset(flights, 0);
-    tile.advance_to(end);
-    EXPECT_GT(tile.counts().ball_ball, 50U);
-    flights.assign(tile.disks().begin(), tile.disks().end());
+    event::EventLoop<P> loop(rules);
+    loop.reset(flights, 0);
+    loop.advance_to(end);
+    EXPECT_GT(loop.counts().ball_ball, 50U);
+    flights.assign(loop.disks().begin(), loop.disks().end());
     for (auto& disk : flights) {
-      tile.motion().carry(disk, end);
+      loop.motion().carry(disk, end);
       disk.vx = -disk.vx;
       disk.vy = -disk.vy;
       disk.start = 0;

@@ -17,7 +17,7 @@ Ball ball(double x, double y, double vx = 0, double vy = 0) {
   return result;
 }
 
-Ball peg(double x, double y) {
+Ball fixed_disk(double x, double y) {
   Ball result = ball(x, y);
   result.fixed = true;
   return result;
@@ -55,7 +55,7 @@ TEST(EventDragRest, an_elastic_hop_that_drag_makes_ever_shorter_ends_on_the_floo
 
 TEST(EventDragRest, an_elastic_ball_comes_to_rest_between_two_fixed_ones) {
   Scene scene = elastic({0, -9.81}, 1);
-  scene.balls = {peg(4.3, 2), peg(5.7, 2), ball(5.02, 3.2)};
+  scene.balls = {fixed_disk(4.3, 2), fixed_disk(5.7, 2), ball(5.02, 3.2)};
   const std::vector<Ball> balls = after(scene, 60).state();
   // It touches both: 0.7 to either side, 1 from either centre.
   EXPECT_NEAR(balls[2].position.x(), 5, 1e-4);
@@ -75,7 +75,8 @@ TEST(EventDragRest, elastic_balls_pile_up_and_rest) {
 // Wherever a run is looked at, or is stopped and gone on: before the balls rest, and after.
 TEST(EventDragRest, nothing_depends_on_frames_stops_or_workers) {
   Scene scene = elastic({0.3, -9.81}, 0.7);
-  scene.balls = {ball(3, 5, 2, 1), ball(3.2, 7), ball(3, 9), peg(7, 1), peg(8.3, 1), ball(7.6, 5)};
+  scene.balls = {ball(3, 5, 2, 1), ball(3.2, 7),       ball(3, 9),
+                 fixed_disk(7, 1), fixed_disk(8.3, 1), ball(7.6, 5)};
   const std::string whole = after(scene, 50).state_hash();
   Simulation looked_at(scene);
   for (int frame = 1; frame <= 1500; ++frame) looked_at.advance_to(frame / 30.0);

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "solvers/event/event_solver.hpp"
+#include "solvers/event/solver.hpp"
 #include "support/advance.hpp"
 
 namespace carom {

@@ -52,7 +52,7 @@ Lattice lattice(unsigned seed, double unit = 1) {
 // At e = 1 nothing takes energy: whatever touches at the start, and however gravity pulls.
 // Where a gap of zero holds some energy, the book has it.
 // Seen to fail where a joint impact ends inelastically after some rounds, and where the step of a
-// crowd takes the impact on a wall as a contact that rests.
+// island takes the impact on a wall as a contact that rests.
 // Of the others, 546 to 2455 lost up to 1e-5 of it in silence, 310 to 3812 ended with an error, and
 // 1350 took a minute for a wedge of 2e-5.
 TEST(EventContact, elastic_lattices_end_and_keep_their_energy) {
@@ -153,7 +153,7 @@ std::vector<std::pair<std::size_t, double>> wakes(EventSolver& solver) {
   solver.take_impacts(impacts, false);
   std::vector<std::pair<std::size_t, double>> result;
   for (const Impact& impact : impacts) {
-    if (impact.kind == ImpactKind::wake) result.push_back({impact.a, impact.time});
+    if (impact.kind == ImpactKind::wake) result.emplace_back(impact.a, impact.time);
   }
   std::sort(result.begin(), result.end());
   return result;

@@ -34,7 +34,7 @@ Pile pile(std::size_t count, double unit) {
   return result;
 }
 
-// Seen to fail where the balls of a crowd are solved in the order in which they are listed.
+// Seen to fail where the balls of an island are solved in the order in which they are listed.
 TEST(EventContact, neither_order_nor_unit_changes_a_bit_of_a_pile) {
   const Pile start = pile(140, 1);
   const test::ContactOutcome end = test::run_contact(start.scene, start.balls, 1.5);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "hard/reference_scene.hpp"
-#include "solvers/event/event_solver.hpp"
+#include "solvers/event/solver.hpp"
 #include "support/advance.hpp"
 
 namespace carom {

@@ -297,16 +297,16 @@ std::vector<Ball> row(std::size_t count) {
 std::vector<Drop> drops() {
   std::vector<Drop> all;
   for (const double friction : {0.0, 0.3}) {
-    const std::string rubs = friction > 0 ? "_that_rubs" : "";
-    all.push_back({"rain" + rubs, 10, friction, rain(1, 40, 10, 0.5, 0.5)});
-    all.push_back({"other_rain" + rubs, 10, friction, rain(2, 40, 10, 0.5, 0.5)});
-    all.push_back({"all_sizes" + rubs, 8, friction, rain(3, 40, 8, 0.2, 0.6)});
-    all.push_back({"one_wide" + rubs, 1.2, friction, columns(14, 1, 1.2)});
-    all.push_back({"two_wide" + rubs, 2.2, friction, columns(30, 2, 2.2)});
-    all.push_back({"three_wide" + rubs, 3.2, friction, columns(30, 3, 3.2)});
-    all.push_back({"lattice" + rubs, 8.01, friction, lattice(6, 8)});
-    all.push_back({"row" + rubs, 20, friction, row(20)});
-    all.push_back({"row_on_the_floor" + rubs, 20, friction, row(20)});
+    const std::string has_friction = friction > 0 ? "_that_rubs" : "";
+    all.push_back({"rain" + has_friction, 10, friction, rain(1, 40, 10, 0.5, 0.5)});
+    all.push_back({"other_rain" + has_friction, 10, friction, rain(2, 40, 10, 0.5, 0.5)});
+    all.push_back({"all_sizes" + has_friction, 8, friction, rain(3, 40, 8, 0.2, 0.6)});
+    all.push_back({"one_wide" + has_friction, 1.2, friction, columns(14, 1, 1.2)});
+    all.push_back({"two_wide" + has_friction, 2.2, friction, columns(30, 2, 2.2)});
+    all.push_back({"three_wide" + has_friction, 3.2, friction, columns(30, 3, 3.2)});
+    all.push_back({"lattice" + has_friction, 8.01, friction, lattice(6, 8)});
+    all.push_back({"row" + has_friction, 20, friction, row(20)});
+    all.push_back({"row_on_the_floor" + has_friction, 20, friction, row(20)});
     for (Ball& each : all.back().balls) each = ball(each.position.x(), 0.5, each.velocity.x());
   }
   return all;
@@ -314,8 +314,8 @@ std::vector<Drop> drops() {
 
 class EventPile : public testing::TestWithParam<Drop> {};
 
-// Fails where crowds are not stepped (it never ends), where a step is not solved (they sink into
-// each other), and where a crowd at rest is still looked at.
+// Fails where islands are not stepped (it never ends), where a step is not solved (they sink into
+// each other), and where an island at rest is still looked at.
 TEST_P(EventPile, comes_to_rest_without_overlap_and_never_gains_energy) {
   const Drop& drop = GetParam();
   Scene scene = contact_box(drop.width, 40, 0.3);
@@ -427,7 +427,7 @@ TEST(EventRest, lines_of_free_balls_collapse_in_bounded_impacts_with_their_momen
   EXPECT_GE(collapsed, 12);  // not every start leads there
 }
 
-// Only the floor and the sides lose energy.  Without crowds of elastic balls this came to "impacts
+// Only the floor and the sides lose energy.  Without islands of elastic balls this came to "impacts
 // follow each other without end".
 TEST(EventRest, ElasticBallsThatALossyFloorCarriesComeToRest) {
   Scene scene = contact_box(1.5, 8, 1);

@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-// Closed forms of a uniform disk on a wall that rubs, at the end of `time`.
+// Closed forms of a uniform disk on a wall with friction, at the end of `time`.
 struct Roll {
   double x;
   double v;
@@ -29,7 +29,7 @@ void expect_rolls(const Scene& scene, const Ball& start, double time, const Roll
   EXPECT_EQ(end.balls[0].position.y(), start.position.y());
 }
 
-Scene rubbing(const Vec2& gravity, double friction, int digits = 16) {
+Scene friction_body(const Vec2& gravity, double friction, int digits = 16) {
   Scene scene = test::contact_box(1000, 12, 0.5, gravity, digits);
   scene.effects.friction = Friction{friction, friction};
   return scene;
@@ -47,8 +47,8 @@ TEST(EventRolls, on_a_slope_as_steep_as_friction_holds_or_steeper) {
         const bool rolls = friction > tan / 3;
         const double a = rolls ? along * 2 / 3 : along - friction * normal;
         const double turn = rolls ? -a / kRadius : -2 * friction * normal / kRadius;
-        expect_rolls(rubbing({along, -normal}, friction, digits), test::contact_ball(5, 0.5), 4,
-                     {a * 8, a * 4, turn * 4});
+        expect_rolls(friction_body({along, -normal}, friction, digits), test::contact_ball(5, 0.5),
+                     4, {a * 8, a * 4, turn * 4});
       }
     }
   }
@@ -58,13 +58,14 @@ TEST(EventRolls, uphill_and_back) {
   Ball up = test::contact_ball(20, 0.5, 3, 0);
   up.spin = -6;
   const double a = -0.981 * 2 / 3;
-  expect_rolls(rubbing({-0.981, -kG}, 0.4), up, 8, {3 * 8 + a * 32, 3 + a * 8, -(3 + a * 8) * 2});
+  expect_rolls(friction_body({-0.981, -kG}, 0.4), up, 8,
+               {3 * 8 + a * 32, 3 + a * 8, -(3 + a * 8) * 2});
 }
 
 // Thrown flat it slides until v = 2/3 v0; spun it drives itself up to a third of r w.
 TEST(EventRolls, from_sliding_and_from_spinning) {
   for (const double e : {0.5, 1.0}) {
-    Scene scene = rubbing({0, -kG}, 0.4);
+    Scene scene = friction_body({0, -kG}, 0.4);
     scene.effects.walls = Walls{e};
     const double a = 0.4 * kG;
     const double slide = 3 / (3 * a);
@@ -80,7 +81,7 @@ TEST(EventRolls, from_sliding_and_from_spinning) {
 
 // v = v0 exp(-2 k t / 3).
 TEST(EventRolls, with_drag) {
-  Scene scene = rubbing({0, -kG}, 0.4);
+  Scene scene = friction_body({0, -kG}, 0.4);
   scene.effects.drag = Drag{0.5};
   Ball rolling = test::contact_ball(5, 0.5, 3, 0);
   rolling.spin = -6;
@@ -94,7 +95,7 @@ TEST(EventRolls, with_drag) {
 TEST(EventRolls, in_a_corner_until_it_turns_no_more) {
   for (const double e : {0.3, 1.0}) {
     const double friction = 0.3;
-    Scene scene = rubbing({0, -kG}, friction);
+    Scene scene = friction_body({0, -kG}, friction);
     scene.effects.walls = Walls{e};
     Ball spun = test::contact_ball(999.5, 0.5);
     spun.spin = -20;
@@ -112,8 +113,9 @@ TEST(EventRolls, in_a_corner_until_it_turns_no_more) {
 
 // Two that touch roll as one.
 TEST(EventRolls, two_that_touch) {
-  const test::ContactOutcome end = test::run_contact(
-      rubbing({0.981, -kG}, 0.4), {test::contact_ball(5, 0.5), test::contact_ball(6, 0.5)}, 4);
+  const test::ContactOutcome end =
+      test::run_contact(friction_body({0.981, -kG}, 0.4),
+                        {test::contact_ball(5, 0.5), test::contact_ball(6, 0.5)}, 4);
   EXPECT_NEAR(end.balls[0].position.x(), 5 + 5.232, 1e-9);
   EXPECT_NEAR(end.balls[1].position.x(), 6 + 5.232, 1e-9);
   EXPECT_NEAR(end.balls[1].spin, -5.232, 1e-9);
@@ -177,7 +179,7 @@ TEST(EventRolls, what_sliding_takes_is_recorded) {
     const double slides = kSpeed / (3 * kFriction * kG);
     const double time = part * slides;
     const double slid = std::min(time, slides);
-    EventSolver solver(rubbing({0, -kG}, kFriction), {test::contact_ball(5, 0.5, kSpeed, 0)});
+    EventSolver solver(friction_body({0, -kG}, kFriction), {test::contact_ball(5, 0.5, kSpeed, 0)});
     solver.record_impacts(true);
     test::advance(solver, time);
     std::vector<Impact> impacts;
@@ -198,7 +200,7 @@ TEST(EventRolls, what_sliding_takes_is_recorded) {
 
 // A script that changes friction changes it from then on: what slid goes on from where it is.
 TEST(EventRolls, friction_that_is_set_acts_from_then_on) {
-  EventSolver solver(rubbing({0, -kG}, 0.25), {test::contact_ball(5, 0.5, 3, 0)});
+  EventSolver solver(friction_body({0, -kG}, 0.25), {test::contact_ball(5, 0.5, 3, 0)});
   test::advance(solver, 0.1);
   Effects ice;
   ice.friction = Friction{0, 0};

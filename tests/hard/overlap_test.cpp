@@ -71,9 +71,9 @@ TEST(Overlap, ABallThatBouncesOnAPegKeepsItsEnergy) {
   scene.effects.gravity = Gravity{{0, -9.81}};
   scene.effects.collisions = Collisions{};
   scene.balls.push_back(Ball{{2, 5}});
-  Ball peg{{2, 1}};
-  peg.fixed = true;
-  scene.balls.push_back(peg);
+  Ball fixed_disk{{2, 1}};
+  fixed_disk.fixed = true;
+  scene.balls.push_back(fixed_disk);
   Simulation simulation(scene);
   const double energy = simulation.measure().energy_initial;
   simulation.advance_to(1000);
@@ -183,10 +183,10 @@ TEST(Overlap, TwoHundredBallsPileUpWithSmallOverlaps) {
 TEST(Overlap, AnElasticGasUnderGravityKeepsItsEnergy) {
   Scene scene = walled_gas(12, 12, 0.6);
   scene.effects.gravity = Gravity{{0, -9.81}};
-  Ball peg{{0.5, scene.box.height + 1}};
-  peg.fixed = true;
+  Ball fixed_disk{{0.5, scene.box.height + 1}};
+  fixed_disk.fixed = true;
   scene.box.height += 2;
-  scene.balls.push_back(peg);
+  scene.balls.push_back(fixed_disk);
   Simulation simulation(scene);
   const double energy = simulation.measure().energy_initial;
   simulation.advance_to(30);

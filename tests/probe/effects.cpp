@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "solvers/integrated/integrated_solver.hpp"
+#include "solvers/integrated/solver.hpp"
 #include "solvers/overlap.hpp"
 
 namespace {

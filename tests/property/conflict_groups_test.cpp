@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "solvers/event/tile.hpp"
+#include "solvers/event/event_loop.hpp"
 #include "support/event_setting.hpp"
 
 namespace carom::event {
@@ -32,7 +32,7 @@ Setting draw(unsigned seed, bool drags) {
   Rules& rules = setting.rules;
   rules.domain = Domain(box, true);
   rules.scale = TickScale(0.25);
-  rules.kinds.clear();
+  rules.all_species.clear();
   rules.falls = draw.one_in(2);
   if (rules.falls) rules.gravity = {draw.one_in(2) ? 0 : draw.number(-1, 1), -9.81};
   if (drags) rules.drag_rate = draw.number(0.01, 1);
@@ -54,11 +54,11 @@ Setting draw(unsigned seed, bool drags) {
       Disk disk;
       const bool fixed = draw.one_in(8);
       const double radius = in_step || cradle ? 0.5 : draw.number(0.1, 0.4);
-      rules.kinds.push_back(
+      rules.all_species.push_back(
           {cradle ? 0.5 : radius / (in_step ? 2 : 1), fixed               ? 0
                                                       : in_step || cradle ? 1
                                                                           : draw.number(0.1, 10)});
-      disk.kind = static_cast<Index>(rules.kinds.size() - 1);
+      disk.species = static_cast<Index>(rules.all_species.size() - 1);
       const double off = in_step || cradle ? 0 : 0.09;
       disk.x = 0.75 + column + draw.number(-off, off) - (cradle ? 0.25 : 0);
       disk.y = 0.75 + row + draw.number(-off, off);
@@ -76,13 +76,13 @@ Setting draw(unsigned seed, bool drags) {
 /// Where several balls join a contact that lasts at one instant, one event loop depends on their
 /// order: then there is nothing to compare with.
 template <class P>
-bool depends_on_order(const Setting& setting, const Tile<P>& expected) {
+bool depends_on_order(const Setting& setting, const EventLoop<P>& expected) {
   std::vector<Disk> disks(setting.disks.rbegin(), setting.disks.rend());
-  Tile<P> tile(setting.rules);
-  tile.reset(disks, 0);
-  tile.advance_to(setting.rules.scale.ticks(setting.time));
+  EventLoop<P> loop(setting.rules);
+  loop.reset(disks, 0);
+  loop.advance_to(setting.rules.scale.ticks(setting.time));
   for (std::size_t i = 0; i < disks.size(); ++i) {
-    if (!same_flight(tile.disks()[disks.size() - 1 - i], expected.disks()[i])) return true;
+    if (!same_flight(loop.disks()[disks.size() - 1 - i], expected.disks()[i])) return true;
   }
   return false;
 }
@@ -92,15 +92,15 @@ template <class P>
 bool compare(unsigned seed) {
   const Setting setting = draw(seed, P::Law::kStretches);
   const std::vector<Disk>& disks = setting.disks;
-  Tile<P> tile(setting.rules);
-  tile.reset(disks, 0);
+  EventLoop<P> loop(setting.rules);
+  loop.reset(disks, 0);
   const Ticks end = setting.rules.scale.ticks(setting.time);
   try {
-    tile.advance_to(end);
+    loop.advance_to(end);
   } catch (const std::runtime_error&) {
     return false;  // impacts without end
   }
-  if (depends_on_order<P>(setting, tile)) return false;
+  if (depends_on_order<P>(setting, loop)) return false;
   Draw draw(seed + 1000000);
   for (const std::size_t workers : {1U, 3U, 7U}) {
     ConflictGroups<P> groups(setting.rules);
@@ -111,26 +111,26 @@ bool compare(unsigned seed) {
     for (int k = 1; k < frames; ++k) advance(groups, end / frames * k, workers);
     advance(groups, end, workers);
     for (std::size_t i = 0; i < disks.size(); ++i) {
-      EXPECT_TRUE(same_flight(groups.flight(i), tile.disks()[i]))
+      EXPECT_TRUE(same_flight(groups.flight(i), loop.disks()[i]))
           << "seed " << seed << ", ball " << i << " of " << disks.size() << ", workers " << workers
           << ", gravity " << setting.rules.gravity[1] << ", started at "
           << setting.rules.scale.seconds(groups.flight(i).start) << " and "
-          << setting.rules.scale.seconds(tile.disks()[i].start) << " of " << setting.time;
+          << setting.rules.scale.seconds(loop.disks()[i].start) << " of " << setting.time;
       if (setting.rules.spins) {
-        EXPECT_EQ(groups.spin(i), tile.spins()[i]) << "seed " << seed;
+        EXPECT_EQ(groups.spin(i), loop.spins()[i]) << "seed " << seed;
       }
-      EXPECT_EQ(groups.left(i), tile.left(static_cast<Index>(i))) << "seed " << seed;
+      EXPECT_EQ(groups.left(i), loop.left(static_cast<Index>(i))) << "seed " << seed;
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        if (tile.turns()[axis].empty()) continue;
-        EXPECT_EQ(groups.turns()[axis][i], tile.turns()[axis][i]) << "seed " << seed;
+        if (loop.turns()[axis].empty()) continue;
+        EXPECT_EQ(groups.turns()[axis][i], loop.turns()[axis][i]) << "seed " << seed;
       }
     }
-    EXPECT_EQ(groups.counts().ball_ball, tile.counts().ball_ball) << "seed " << seed;
-    EXPECT_EQ(groups.counts().ball_wall, tile.counts().ball_wall) << "seed " << seed;
-    EXPECT_EQ(groups.counts().joint_impacts, tile.counts().joint_impacts) << "seed " << seed;
-    EXPECT_EQ(groups.counts().resting_contacts, tile.counts().resting_contacts) << "seed " << seed;
-    EXPECT_EQ(groups.counts().max_overlap, tile.counts().max_overlap) << "seed " << seed;
-    EXPECT_EQ(groups.given_ahead(end), tile.given_ahead(end)) << "seed " << seed;
+    EXPECT_EQ(groups.counts().ball_ball, loop.counts().ball_ball) << "seed " << seed;
+    EXPECT_EQ(groups.counts().ball_wall, loop.counts().ball_wall) << "seed " << seed;
+    EXPECT_EQ(groups.counts().joint_impacts, loop.counts().joint_impacts) << "seed " << seed;
+    EXPECT_EQ(groups.counts().resting_contacts, loop.counts().resting_contacts) << "seed " << seed;
+    EXPECT_EQ(groups.counts().max_overlap, loop.counts().max_overlap) << "seed " << seed;
+    EXPECT_EQ(groups.given_ahead(end), loop.given_ahead(end)) << "seed " << seed;
   }
   return true;
 }

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "solvers/event/tile.hpp"
+#include "solvers/event/event_loop.hpp"
 #include "support/event_setting.hpp"
 
 namespace carom::event {
@@ -51,16 +51,16 @@ Setting draw(unsigned seed, bool drags) {
     rules.friction = draw.number(0, 0.5);
     rules.wall_friction = rules.gravity[0] != 0 ? 0 : draw.number(0, 0.5);
   }
-  rules.kinds = {{equal ? most : 0.12, 1}, {equal ? most : 0.12, 0}};
-  if (!equal) rules.kinds.push_back({most, draw.number(0.05, 5)});
+  rules.all_species = {{equal ? most : 0.12, 1}, {equal ? most : 0.12, 0}};
+  if (!equal) rules.all_species.push_back({most, draw.number(0.05, 5)});
   const double fast = draw.one_in(6) ? 300 : 3;
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       if (giant && column > 0 && column < 11 && row > 0 && row < 11) continue;
       Disk disk;
-      disk.kind = equal || draw.one_in(2) ? 0 : 2;
+      disk.species = equal || draw.one_in(2) ? 0 : 2;
       const bool fixed = !rules.falls && !drags && draw.one_in(15);
-      if (fixed) disk.kind = 1;
+      if (fixed) disk.species = 1;
       const double off = in_step ? 0 : 0.49 - most;
       disk.x = 0.5 + column + draw.number(-off, off);
       disk.y = 0.5 + row + draw.number(-off, off);
@@ -73,14 +73,15 @@ Setting draw(unsigned seed, bool drags) {
     }
   }
   setting.disks.back().vx *= fast / 3;
-  if (setting.disks.back().kind == 1) setting.disks.back().vx = 0;
+  if (setting.disks.back().species == 1) setting.disks.back().vx = 0;
   if (giant) {
-    rules.kinds.push_back({4.9, draw.one_in(3) ? 0.0 : 0.02});
+    rules.all_species.push_back({4.9, draw.one_in(3) ? 0.0 : 0.02});
     Disk disk;
-    disk.kind = static_cast<Index>(rules.kinds.size() - 1);
-    if (rules.kinds.back().fixed() && (rules.falls || drags)) rules.kinds.back().inverse_mass = 0.1;
+    disk.species = static_cast<Index>(rules.all_species.size() - 1);
+    if (rules.all_species.back().fixed() && (rules.falls || drags))
+      rules.all_species.back().inverse_mass = 0.1;
     disk.x = disk.y = 6;
-    if (!rules.kinds.back().fixed()) disk.vx = draw.number(-1, 1);
+    if (!rules.all_species.back().fixed()) disk.vx = draw.number(-1, 1);
     setting.disks.push_back(disk);
     if (rules.spins) setting.spins.push_back(0);
   }
@@ -92,20 +93,20 @@ Setting draw(unsigned seed, bool drags) {
 /// again on the way: of impacts of nearly one instant it may take some together.  Then there is
 /// nothing to compare with.
 template <class P>
-bool depends_on_order(const Setting& setting, const Tile<P>& expected) {
+bool depends_on_order(const Setting& setting, const EventLoop<P>& expected) {
   const std::size_t n = setting.disks.size();
-  Tile<P> tile(setting.rules);
-  tile.reset({setting.disks.rbegin(), setting.disks.rend()}, 0, {},
+  EventLoop<P> loop(setting.rules);
+  loop.reset({setting.disks.rbegin(), setting.disks.rend()}, 0, {},
              {setting.spins.rbegin(), setting.spins.rend()});
   const Ticks end = setting.rules.scale.ticks(setting.time);
   for (int k = 1; k <= 8; ++k) {
-    tile.advance_to(end / 8 * k);
-    const std::vector<double> spins = tile.spins();
-    tile.reset({tile.disks().begin(), tile.disks().end()}, end / 8 * k, {}, spins);
+    loop.advance_to(end / 8 * k);
+    const std::vector<double> spins = loop.spins();
+    loop.reset({loop.disks().begin(), loop.disks().end()}, end / 8 * k, {}, spins);
   }
-  tile.advance_to(end);
+  loop.advance_to(end);
   for (std::size_t i = 0; i < n; ++i) {
-    if (!same_flight(tile.disks()[n - 1 - i], expected.disks()[i])) return true;
+    if (!same_flight(loop.disks()[n - 1 - i], expected.disks()[i])) return true;
   }
   return false;
 }
@@ -121,11 +122,11 @@ template <class P>
 void compare(unsigned seed, Seen& seen) {
   const Setting setting = draw(seed, P::Law::kStretches);
   const std::vector<Disk>& disks = setting.disks;
-  Tile<P> tile(setting.rules);
-  tile.reset(disks, 0, {}, setting.spins);
+  EventLoop<P> loop(setting.rules);
+  loop.reset(disks, 0, {}, setting.spins);
   const Ticks end = setting.rules.scale.ticks(setting.time);
-  tile.advance_to(end);
-  if (depends_on_order<P>(setting, tile)) return;
+  loop.advance_to(end);
+  if (depends_on_order<P>(setting, loop)) return;
   ++seen.scenes;
   Draw draw(seed + 1000000);
   for (const std::size_t workers : {1U, 2U, 3U, 6U}) {
@@ -145,20 +146,20 @@ void compare(unsigned seed, Seen& seen) {
     seen.stuck += domains.stuck() ? 1U : 0U;
     if (domains.stuck()) continue;
     for (std::size_t i = 0; i < disks.size(); ++i) {
-      ASSERT_TRUE(same_flight(domains.flight(i), tile.disks()[i]))
+      ASSERT_TRUE(same_flight(domains.flight(i), loop.disks()[i]))
           << "seed " << seed << ", ball " << i << " of " << disks.size() << ", workers " << workers
           << ", frames " << frames << ", started at "
           << setting.rules.scale.seconds(domains.flight(i).start) << " and "
-          << setting.rules.scale.seconds(tile.disks()[i].start) << " of " << setting.time;
+          << setting.rules.scale.seconds(loop.disks()[i].start) << " of " << setting.time;
       if (setting.rules.spins) {
-        ASSERT_EQ(domains.spin(i), tile.spins()[i]) << "seed " << seed;
+        ASSERT_EQ(domains.spin(i), loop.spins()[i]) << "seed " << seed;
       }
     }
-    EXPECT_EQ(domains.counts().ball_ball, tile.counts().ball_ball) << "seed " << seed;
-    EXPECT_EQ(domains.counts().ball_wall, tile.counts().ball_wall) << "seed " << seed;
-    EXPECT_EQ(domains.counts().joint_impacts, tile.counts().joint_impacts) << "seed " << seed;
-    EXPECT_EQ(domains.counts().max_overlap, tile.counts().max_overlap) << "seed " << seed;
-    EXPECT_EQ(sum(domains.losses()), setting.rules.drag_rate > 0 ? 0 : sum(tile.losses()))
+    EXPECT_EQ(domains.counts().ball_ball, loop.counts().ball_ball) << "seed " << seed;
+    EXPECT_EQ(domains.counts().ball_wall, loop.counts().ball_wall) << "seed " << seed;
+    EXPECT_EQ(domains.counts().joint_impacts, loop.counts().joint_impacts) << "seed " << seed;
+    EXPECT_EQ(domains.counts().max_overlap, loop.counts().max_overlap) << "seed " << seed;
+    EXPECT_EQ(sum(domains.losses()), setting.rules.drag_rate > 0 ? 0 : sum(loop.losses()))
         << "seed " << seed << ", workers " << workers;
   }
 }

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "solvers/event/agenda_body.hpp"
+#include "solvers/event/event_queue_body.hpp"
 #include "solvers/event/short_lists.hpp"
 
 namespace carom::event {
@@ -78,10 +78,10 @@ RC_GTEST_PROP(EventQueue, WordsAreFoundAmongTheirs, ()) {
 // Many balls at few times, so that a bucket holds none, few and more than are put in order by
 // counting, and equal ones.
 RC_GTEST_PROP(EventQueue, TheAgendaGivesTheEarliestThatIsStillWanted, ()) {
-  using Queue = Agenda<Clock<double>>;
-  Queue agenda;
+  using Queue = EventQueue<Clock<double>>;
+  Queue queue;
   const Ticks span = *rc::gen::inRange<Ticks>(1, 5000);
-  agenda.reset(0, *rc::gen::inRange<Ticks>(1, 2000), 4U << below(4));
+  queue.reset(0, *rc::gen::inRange<Ticks>(1, 2000), 4U << below(4));
   std::map<Index, Ticks> due;
   const auto wanted = [&](const Queue::Entry& entry) {
     const auto at = due.find(entry.ball);
@@ -92,7 +92,7 @@ RC_GTEST_PROP(EventQueue, TheAgendaGivesTheEarliestThatIsStillWanted, ()) {
   const std::uint32_t balls = 1 + below(400);
   const auto add = [&](Index ball) {
     due[ball] = now + *rc::gen::inRange<Ticks>(0, span);
-    agenda.add(due[ball], ball);
+    queue.add(due[ball], ball);
   };
   for (Index ball = 0; ball < balls; ++ball) add(ball);
   for (int step = 0; step < 300 && !due.empty(); ++step) {
@@ -102,10 +102,10 @@ RC_GTEST_PROP(EventQueue, TheAgendaGivesTheEarliestThatIsStillWanted, ()) {
         })->second;
     Queue::Entry entry{};
     do {
-      const Queue::Entry* next = agenda.first(now + span, wanted, unprepared);
+      const Queue::Entry* next = queue.first(now + span, wanted, unprepared);
       RC_ASSERT(next != nullptr);
       entry = *next;
-      agenda.drop_first();
+      queue.drop_first();
     } while (!wanted(entry));
     RC_ASSERT(entry.time == earliest);
     now = entry.time;

@@ -42,8 +42,8 @@ Scene any_scene() {
   if ((lossless || !scene.effects.gravity) && *rc::gen::arbitrary<bool>()) {
     scene.effects.drag = Drag{number(0.01, 1)};
   }
-  const bool rubs = *rc::gen::arbitrary<bool>();
-  if (rubs) scene.effects.friction = Friction{number(0, 0.5), number(0, 0.5)};
+  const bool has_friction = *rc::gen::arbitrary<bool>();
+  if (has_friction) scene.effects.friction = Friction{number(0, 0.5), number(0, 0.5)};
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       Ball ball;
@@ -54,7 +54,7 @@ Scene any_scene() {
       ball.fixed = *rc::gen::inRange(0, 10) == 0;
       if (!ball.fixed) {
         ball.velocity = {number(-4, 4), number(-4, 4)};
-        if (rubs) ball.spin = number(-4, 4);
+        if (has_friction) ball.spin = number(-4, 4);
       }
       scene.balls.push_back(ball);
     }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "solvers/event/event_solver.hpp"
+#include "solvers/event/solver.hpp"
 #include "support/advance.hpp"
 
 namespace carom::test {

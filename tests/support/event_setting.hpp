@@ -45,7 +45,7 @@ void advance(Windows& solver, Ticks until, std::size_t workers) {
 template <class Disk>
 bool same_flight(const Disk& a, const Disk& b) {
   return a.x == b.x && a.y == b.y && a.vx == b.vx && a.vy == b.vy && a.start == b.start &&
-         a.kind == b.kind;
+         a.species == b.species;
 }
 
 }  // namespace carom::event

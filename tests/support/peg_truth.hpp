@@ -4,12 +4,12 @@
 
 #include "support/exact_number.hpp"
 #include "support/random_numbers.hpp"
-#include "trajectory/peg_time.hpp"
+#include "trajectory/fixed_disk_time.hpp"
 
 namespace carom::test {
 
-/// A ball's way past a fixed ball, as peg_time() takes it.
-struct PegCase {
+/// A ball's way past a fixed ball, as fixed_disk_time() takes it.
+struct FixedDiskCase {
   event::Vec<double> r;
   event::Vec<double> v;
   event::Vec<double> g;
@@ -20,9 +20,9 @@ struct PegCase {
 /// How many real roots of the squared gap lie in a stretch of time, by Sturm's theorem in a hundred
 /// digits: it shares nothing with the method under test.  Of a flight that starts at contact the
 /// root at 0 is divided out.
-class PegTruth {
+class FixedDiskTruth {
  public:
-  explicit PegTruth(const PegCase& c) {
+  explicit FixedDiskTruth(const FixedDiskCase& c) {
     const Exact rx(c.r.x), ry(c.r.y), vx(c.v.x), vy(c.v.y), gx(c.g.x), gy(c.g.y);
     const std::array<Exact, 5> quartic{
         rx * rx + ry * ry - Exact(c.s) * c.s, 2 * (rx * vx + ry * vy),
@@ -91,12 +91,12 @@ class PegTruth {
 /// A parabola made backwards from a contact somewhere on it: square, slanting or near tangent, of
 /// short flights and long ones; some start at contact; of some the distance of contact is the
 /// distance the way just passes at.
-inline PegCase random_peg_case(RandomNumbers& random) {
+inline FixedDiskCase random_fixed_disk_case(RandomNumbers& random) {
   using event::Vec;
   const auto polar = [](double length, double angle) {
     return Vec<double>{length * std::cos(angle), length * std::sin(angle)};
   };
-  PegCase c{};
+  FixedDiskCase c{};
   c.s = random.between(0.1, 2);
   c.g = polar(std::exp(random.between(-3, 3)), random.angle());
   const double normal = random.angle();
@@ -116,8 +116,8 @@ inline PegCase random_peg_case(RandomNumbers& random) {
 }
 
 /// Nothing, or what is wrong with the answer: a root before it, none at it, or one that was missed.
-inline const char* peg_fault(const PegCase& c, double t) {
-  const PegTruth truth(c);
+inline const char* fixed_disk_fault(const FixedDiskCase& c, double t) {
+  const FixedDiskTruth truth(c);
   const int start = truth.changes(Exact(0));
   if (t == event::never<double>()) {
     return start == truth.changes_at_infinity() ? nullptr : "missed a root";

@@ -106,7 +106,7 @@ TEST_F(Drag, a_fixed_ball_is_met_when_small_steps_say) {
     const bool from_contact = k % 3 == 0;
     if (from_contact && dot(r, v) <= 0) v = -v;
     if (from_contact && dot(r, v) <= 0) continue;
-    const double t = damped_peg_time(r, v, g, 1.0, rate, from_contact);
+    const double t = damped_fixed_disk_time(r, v, g, 1.0, rate, from_contact);
     const DampedLaw<double> law{g, rate};
     const auto gap = [&](double at) {
       const Vec<double> p = r + law.displacement({r, v}, at);
@@ -138,14 +138,14 @@ TEST_F(Drag, times_of_walls_and_fixed_balls_scale_and_turn_to_the_last_bit) {
     constexpr double kLength = 0x1p-20;
     constexpr double kTime = 0x1p7;
     const auto scaled = [](const Vec<double>& a, double by) { return by * a; };
-    const double peg = damped_peg_time(r, v, g, 1.0, rate);
-    EXPECT_EQ(damped_peg_time(scaled(r, kLength), scaled(v, kLength / kTime),
-                              scaled(g, kLength / kTime / kTime), kLength, rate / kTime),
-              peg * kTime);
+    const double fixed_disk = damped_fixed_disk_time(r, v, g, 1.0, rate);
+    EXPECT_EQ(damped_fixed_disk_time(scaled(r, kLength), scaled(v, kLength / kTime),
+                                     scaled(g, kLength / kTime / kTime), kLength, rate / kTime),
+              fixed_disk * kTime);
     const auto swapped = [](const Vec<double>& a) { return Vec<double>{a.y, a.x}; };
     const auto mirrored = [](const Vec<double>& a) { return Vec<double>{-a.x, a.y}; };
-    EXPECT_EQ(damped_peg_time(swapped(r), swapped(v), swapped(g), 1.0, rate), peg);
-    EXPECT_EQ(damped_peg_time(mirrored(r), mirrored(v), mirrored(g), 1.0, rate), peg);
+    EXPECT_EQ(damped_fixed_disk_time(swapped(r), swapped(v), swapped(g), 1.0, rate), fixed_disk);
+    EXPECT_EQ(damped_fixed_disk_time(mirrored(r), mirrored(v), mirrored(g), 1.0, rate), fixed_disk);
     const double h = std::abs(r.x);
     EXPECT_EQ(damped_wall_time(h * kLength, v.x * (kLength / kTime),
                                g.x * (kLength / kTime / kTime), rate / kTime),

@@ -3,60 +3,60 @@
 #include <algorithm>
 
 #include "support/peg_truth.hpp"
+#include "trajectory/fixed_disk_time.hpp"
 #include "trajectory/flight.hpp"
-#include "trajectory/peg_time.hpp"
 
 namespace carom::event {
 namespace {
 
 using test::Exact;
+using test::FixedDiskCase;
 using test::kU;
-using test::PegCase;
 using test::RandomNumbers;
 using V = Vec<double>;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-TEST(EventPegTime, OfAStraightFallOntoThePegIsTheFallsTime) {
-  EXPECT_EQ(peg_time<double>({0, 3}, {0, 0}, {0, -4}, 1), 1);
-  EXPECT_EQ(peg_time<double>({3, 0}, {0, 0}, {-4, 0}, 1), 1);
-  EXPECT_EQ(peg_time<double>({0, 3}, {0, 4}, {0, -4}, 3), 2);  // up from contact and back
-  EXPECT_EQ(peg_time<double>({0, -3}, {0, 0}, {0, -4}, 1), kNever);
-  EXPECT_EQ(peg_time<double>({0, -3}, {0, 4}, {0, -4}, 1), kNever);  // turns at -1: tangent
+TEST(EventFixedDiskTime, OfAStraightFallOntoThePegIsTheFallsTime) {
+  EXPECT_EQ(fixed_disk_time<double>({0, 3}, {0, 0}, {0, -4}, 1), 1);
+  EXPECT_EQ(fixed_disk_time<double>({3, 0}, {0, 0}, {-4, 0}, 1), 1);
+  EXPECT_EQ(fixed_disk_time<double>({0, 3}, {0, 4}, {0, -4}, 3), 2);  // up from contact and back
+  EXPECT_EQ(fixed_disk_time<double>({0, -3}, {0, 0}, {0, -4}, 1), kNever);
+  EXPECT_EQ(fixed_disk_time<double>({0, -3}, {0, 4}, {0, -4}, 1), kNever);  // turns at -1: tangent
 }
 
-TEST(EventPegTime, WithoutGravityIsThePairTime) {
-  EXPECT_EQ(peg_time<double>({3, 0}, {-2, 0}, {0, 0}, 1), 1);
-  EXPECT_EQ(peg_time<double>({3, 0}, {2, 0}, {0, 0}, 1), kNever);
+TEST(EventFixedDiskTime, WithoutGravityIsThePairTime) {
+  EXPECT_EQ(fixed_disk_time<double>({3, 0}, {-2, 0}, {0, 0}, 1), 1);
+  EXPECT_EQ(fixed_disk_time<double>({3, 0}, {2, 0}, {0, 0}, 1), kNever);
 }
 
-TEST(EventPegTime, OverlappingAndApproachingIsNow) {
-  EXPECT_EQ(peg_time<double>({0.9, 0}, {-1, 0}, {0, -1}, 1), 0);
-  EXPECT_EQ(peg_time<double>({0, 1}, {0, 0}, {0, -1}, 1), 0);        // pressed by gravity alone
-  EXPECT_EQ(peg_time<double>({0, 0.5}, {0, 0.5}, {0, -1}, 1), 0.5);  // turns round inside
-  EXPECT_EQ(peg_time<double>({0, -1}, {0, 0}, {0, -1}, 1), kNever);
+TEST(EventFixedDiskTime, OverlappingAndApproachingIsNow) {
+  EXPECT_EQ(fixed_disk_time<double>({0.9, 0}, {-1, 0}, {0, -1}, 1), 0);
+  EXPECT_EQ(fixed_disk_time<double>({0, 1}, {0, 0}, {0, -1}, 1), 0);  // pressed by gravity alone
+  EXPECT_EQ(fixed_disk_time<double>({0, 0.5}, {0, 0.5}, {0, -1}, 1), 0.5);  // turns round inside
+  EXPECT_EQ(fixed_disk_time<double>({0, -1}, {0, 0}, {0, -1}, 1), kNever);
 }
 
-TEST(EventPegTime, OfAHopOnThePegIsFoundHoweverShort) {
+TEST(EventFixedDiskTime, OfAHopOnThePegIsFoundHoweverShort) {
   for (int k = 4; k < 60; ++k) {
     const double v = std::ldexp(1.0, -k);
-    EXPECT_NEAR(peg_time<double>({0, 1}, {0, v}, {0, -2}, 1, true), v, 2 * kU * v) << k;
-    const auto slanted = peg_time<double>({0.6, 0.8}, {0.6 * v, 0.8 * v}, {0, -2}, 1, true);
+    EXPECT_NEAR(fixed_disk_time<double>({0, 1}, {0, v}, {0, -2}, 1, true), v, 2 * kU * v) << k;
+    const auto slanted = fixed_disk_time<double>({0.6, 0.8}, {0.6 * v, 0.8 * v}, {0, -2}, 1, true);
     EXPECT_GT(slanted, v) << k;
     EXPECT_LT(slanted, 2 * v) << k;
   }
 }
 
-TEST(EventPegTime, NeverMissesARootNorFindsOneTooLate) {
+TEST(EventFixedDiskTime, NeverMissesARootNorFindsOneTooLate) {
   RandomNumbers random(20260);
   int hits = 0;
   int near = 0;
   for (int k = 0; k < 20000; ++k) {
-    PegCase c = test::random_peg_case(random);
+    FixedDiskCase c = test::random_fixed_disk_case(random);
     if (!c.from_contact && squared_gap(c.r, c.s) <= 0) continue;
     if (c.from_contact && sharp_dot(c.r, c.v) <= 0) continue;
-    const double t = peg_time(c.r, c.v, c.g, c.s, c.from_contact);
-    const char* fault = test::peg_fault(c, t);
+    const double t = fixed_disk_time(c.r, c.v, c.g, c.s, c.from_contact);
+    const char* fault = test::fixed_disk_fault(c, t);
     ASSERT_EQ(fault, nullptr) << fault << ", case " << k << ", t " << t;
     hits += t < kNever ? 1 : 0;
     if (t == kNever || c.from_contact) continue;
@@ -71,29 +71,30 @@ TEST(EventPegTime, NeverMissesARootNorFindsOneTooLate) {
   EXPECT_GT(near, 500);
 }
 
-TEST(EventPegTime, IsTheSameForMirrorImagesAndScalesWithPowersOfTwo) {
+TEST(EventFixedDiskTime, IsTheSameForMirrorImagesAndScalesWithPowersOfTwo) {
   RandomNumbers random(3);
   for (int k = 0; k < 5000; ++k) {
-    const PegCase c = test::random_peg_case(random);
-    const double t = peg_time(c.r, c.v, c.g, c.s, c.from_contact);
+    const FixedDiskCase c = test::random_fixed_disk_case(random);
+    const double t = fixed_disk_time(c.r, c.v, c.g, c.s, c.from_contact);
     const auto m = [](const V& a) { return V{-a.x, a.y}; };
     const auto w = [](const V& a) { return V{a.y, a.x}; };
-    ASSERT_EQ(peg_time(m(c.r), m(c.v), m(c.g), c.s, c.from_contact), t);
-    ASSERT_EQ(peg_time(w(c.r), w(c.v), w(c.g), c.s, c.from_contact), t);
-    ASSERT_EQ(peg_time(-c.r, -c.v, -c.g, c.s, c.from_contact), t);
+    ASSERT_EQ(fixed_disk_time(m(c.r), m(c.v), m(c.g), c.s, c.from_contact), t);
+    ASSERT_EQ(fixed_disk_time(w(c.r), w(c.v), w(c.g), c.s, c.from_contact), t);
+    ASSERT_EQ(fixed_disk_time(-c.r, -c.v, -c.g, c.s, c.from_contact), t);
     const double l = std::ldexp(1.0, random.below(81) - 40);
     const double u = std::ldexp(1.0, random.below(81) - 40);
-    ASSERT_EQ(peg_time(l * c.r, (l / u) * c.v, (l / u / u) * c.g, l * c.s, c.from_contact), t * u);
+    ASSERT_EQ(fixed_disk_time(l * c.r, (l / u) * c.v, (l / u / u) * c.g, l * c.s, c.from_contact),
+              t * u);
   }
 }
 
-TEST(EventPegTime, InMoreDigitsAgreesWithDouble) {
+TEST(EventFixedDiskTime, InMoreDigitsAgreesWithDouble) {
   RandomNumbers random(4);
   for (int k = 0; k < 100; ++k) {
-    const PegCase c = test::random_peg_case(random);
+    const FixedDiskCase c = test::random_fixed_disk_case(random);
     const auto e = [](const V& a) { return Vec<Exact>{Exact(a.x), Exact(a.y)}; };
-    const double t = peg_time(c.r, c.v, c.g, c.s, c.from_contact);
-    const Exact truth = peg_time(e(c.r), e(c.v), e(c.g), Exact(c.s), c.from_contact);
+    const double t = fixed_disk_time(c.r, c.v, c.g, c.s, c.from_contact);
+    const Exact truth = fixed_disk_time(e(c.r), e(c.v), e(c.g), Exact(c.s), c.from_contact);
     ASSERT_EQ(t < kNever, truth < never<Exact>());
     if (t == kNever || t == 0) continue;
     EXPECT_LE(test::error_in_u(t, truth), 4);

@@ -5,27 +5,27 @@
 #include <limits>
 #include <vector>
 
-#include "contact/crowd.hpp"
+#include "contact/cone_island.hpp"
 #include "contact/pair_impact.hpp"
 #include "contact/rest_rules.hpp"
 #include "support/random_numbers.hpp"
+#include "trajectory/fixed_disk_time.hpp"
 #include "trajectory/pair_time.hpp"
-#include "trajectory/peg_time.hpp"
 #include "trajectory/wall_time.hpp"
 
 namespace carom::event {
 namespace {
 
 using V = Vec<double>;
-using Contacts = std::vector<CrowdContact>;
+using Contacts = std::vector<ConeContact>;
 
 /// What a second of gravity would do to touching balls that are still at first.
 struct Carried {
   std::vector<double> forces;
-  Crowd::Bodies bodies;  ///< their velocities are accelerations
+  ConeIsland::Bodies bodies;  ///< their velocities are accelerations
 
   bool holds_still() const {
-    return std::all_of(bodies.begin(), bodies.end(), [](const CrowdBody& body) {
+    return std::all_of(bodies.begin(), bodies.end(), [](const ConeBody& body) {
       return std::abs(body.velocity.x) + std::abs(body.velocity.y) + std::abs(body.turning) < 1e-5;
     });
   }
@@ -34,7 +34,7 @@ struct Carried {
 Carried under(const V& gravity, const std::vector<double>& masses, const Contacts& contacts) {
   Carried result;
   for (const double mass : masses) result.bodies.push_back({gravity, 0, 1 / mass});
-  result.forces = Crowd(result.bodies, contacts).resolve(result.bodies, 0, 1e-12);
+  result.forces = ConeIsland(result.bodies, contacts).resolve(result.bodies, 0, 1e-12);
   return result;
 }
 
@@ -66,11 +66,11 @@ TEST(EventRest, ABallDroppedOnTheTopOfAFixedBallRestsThereToo) {
   const double g = 9.81;
   const double e = 0.5;
   const V top{0, 1};
-  auto t = peg_time<double>({0, 2}, {0, 0}, {0, -g}, 1);
+  auto t = fixed_disk_time<double>({0, 2}, {0, 0}, {0, -g}, 1);
   V v = pair_impact<double>(top, {0, 0}, {0, -g * t}, 0, 1, e).b;
   int hops = 0;
   while (!bounces_out(v.y, g, e, resolution_at(t))) {
-    const auto hop = peg_time<double>(top, v, {0, -g}, 1, true);
+    const auto hop = fixed_disk_time<double>(top, v, {0, -g}, 1, true);
     t += hop;
     v = pair_impact<double>(top, {0, 0}, {0, v.y - g * hop}, 0, 1, e).b;
     ASSERT_LT(++hops, 100);
@@ -93,7 +93,7 @@ TEST(EventRest, AHopOffAnElasticWallIsNoneWhereItIsAsShortAsAContact) {
   EXPECT_FALSE(barely_hops(0.0, 0.0, s));  // nothing presses
 }
 
-TEST(EventCrowd, AFloorCarriesAStackAndEachBallWhatIsAboveIt) {
+TEST(EventIsland, AFloorCarriesAStackAndEachBallWhatIsAboveIt) {
   const auto result = under(
       {0, -10}, {2, 3, 5}, {{0, kWall, {0, -1}, 0, 0}, {0, 1, {0, 1}, 0, 0}, {1, 2, {0, 1}, 0, 0}});
   EXPECT_NEAR(result.forces[0], 100, 1e-4);
@@ -102,7 +102,7 @@ TEST(EventCrowd, AFloorCarriesAStackAndEachBallWhatIsAboveIt) {
   EXPECT_TRUE(result.holds_still());
 }
 
-TEST(EventCrowd, ABallInTheGapOfTwoFixedOnesIsCarriedByBoth) {
+TEST(EventIsland, ABallInTheGapOfTwoFixedOnesIsCarriedByBoth) {
   const double c = std::sqrt(0.75);
   const Contacts contacts{{0, kWall, {-0.5, -c}, 0, 0}, {0, kWall, {0.5, -c}, 0, 0}};
   const auto result = under({0, -10}, {1}, contacts);
@@ -112,7 +112,7 @@ TEST(EventCrowd, ABallInTheGapOfTwoFixedOnesIsCarriedByBoth) {
   EXPECT_FALSE(under({10, 0}, {1}, contacts).holds_still());
 }
 
-TEST(EventCrowd, ABallOnTheSideOfAFixedOneSlidesDownAlongIt) {
+TEST(EventIsland, ABallOnTheSideOfAFixedOneSlidesDownAlongIt) {
   const auto result = under({0, -10}, {1}, {{0, kWall, {-0.6, -0.8}, 0, 0}});
   EXPECT_NEAR(result.forces[0], 8, 1e-6);
   EXPECT_NEAR(result.bodies[0].velocity.x, 4.8, 1e-6);
@@ -120,7 +120,7 @@ TEST(EventCrowd, ABallOnTheSideOfAFixedOneSlidesDownAlongIt) {
 }
 
 // A disk of inertia m r^2 / 2 that rolls keeps a third of what drives it in its spin.
-TEST(EventCrowd, ABallThatRubsRollsDownASlope) {
+TEST(EventIsland, ABallThatRubsRollsDownASlope) {
   const auto result = under({0, -10}, {1}, {{0, kWall, {-0.6, -0.8}, 0, 0.5}});
   EXPECT_NEAR(result.bodies[0].velocity.x, 4.8 * 2 / 3, 1e-6);
   EXPECT_NEAR(result.bodies[0].velocity.y, -3.6 * 2 / 3, 1e-6);
@@ -128,7 +128,7 @@ TEST(EventCrowd, ABallThatRubsRollsDownASlope) {
 }
 
 // Friction lets a ball lie between two others that stand further apart than frictionless ones may.
-TEST(EventCrowd, AnArchOfThreeStandsWhereFrictionIsEnough) {
+TEST(EventIsland, AnArchOfThreeStandsWhereFrictionIsEnough) {
   const auto arch = [](double friction) {
     const double s = std::sin(0.4);
     const double c = std::cos(0.4);
@@ -143,7 +143,7 @@ TEST(EventCrowd, AnArchOfThreeStandsWhereFrictionIsEnough) {
   EXPECT_TRUE(arch(0.3).holds_still());  // tan(0.4 / 2) = 0.203
 }
 
-TEST(EventCrowd, ACeilingDoesNotPull) {
+TEST(EventIsland, ACeilingDoesNotPull) {
   const auto result = under({0, -10}, {1}, {{0, kWall, {0, 1}, 0, 0}});
   EXPECT_EQ(result.forces[0], 0);
   EXPECT_EQ(result.bodies[0].velocity.y, -10);
@@ -172,7 +172,7 @@ Contacts lattice(std::size_t& count, double friction) {
   return contacts;
 }
 
-TEST(EventCrowd, APileInABoxHoldsStillAndItsFloorCarriesItsWeight) {
+TEST(EventIsland, APileInABoxHoldsStillAndItsFloorCarriesItsWeight) {
   std::size_t count = 0;
   const Contacts contacts = lattice(count, 0);
   const auto result = under({0, -1}, std::vector<double>(count, 1), contacts);
@@ -186,13 +186,13 @@ TEST(EventCrowd, APileInABoxHoldsStillAndItsFloorCarriesItsWeight) {
 }
 
 // Fails where the impulses are not the least ones: doubled, they make energy.
-TEST(EventCrowd, ResolvingNeverMakesEnergyAndLeavesNothingApproaching) {
+TEST(EventIsland, ResolvingNeverMakesEnergyAndLeavesNothingApproaching) {
   for (const double friction : {0.0, 0.3}) {
     std::size_t count = 0;
     const Contacts contacts = lattice(count, friction);
     test::RandomNumbers random(5);
     for (int round = 0; round < 50; ++round) {
-      Crowd::Bodies bodies;
+      ConeIsland::Bodies bodies;
       for (std::size_t k = 0; k < count; ++k) {
         bodies.push_back({{random.between(-1, 1), random.between(-1, 1)},
                           friction > 0 ? random.between(-1, 1) : 0,
@@ -200,15 +200,15 @@ TEST(EventCrowd, ResolvingNeverMakesEnergyAndLeavesNothingApproaching) {
       }
       const auto energy = [&bodies] {
         double sum = 0;
-        for (const CrowdBody& b : bodies) {
+        for (const ConeBody& b : bodies) {
           sum += (dot(b.velocity, b.velocity) + b.turning * b.turning / 2) / b.inverse_mass;
         }
         return sum;
       };
       const double before = energy();
-      (void)Crowd(bodies, contacts).resolve(bodies, 0, 1e-6);
+      (void)ConeIsland(bodies, contacts).resolve(bodies, 0, 1e-6);
       EXPECT_LE(energy(), before);
-      for (const CrowdContact& c : contacts) {
+      for (const ConeContact& c : contacts) {
         const V& a = bodies[static_cast<std::size_t>(c.a)].velocity;
         const V b = c.b == kWall ? V{0, 0} : bodies[static_cast<std::size_t>(c.b)].velocity;
         EXPECT_GT(dot(c.normal, b - a), -1e-3);  // what little they give way

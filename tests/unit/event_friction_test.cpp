@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "solvers/event/tile.hpp"
+#include "solvers/event/event_loop.hpp"
 
 namespace carom::event {
 namespace {
@@ -26,16 +26,17 @@ Rules table(double width, double height, double friction) {
   return rules;
 }
 
-std::unique_ptr<Tile<Ballistic>> tile_of(const Rules& rules, const std::vector<Spinning>& balls) {
-  auto tile = std::make_unique<Tile<Ballistic>>(rules);
+std::unique_ptr<EventLoop<Ballistic>> loop_of(const Rules& rules,
+                                              const std::vector<Spinning>& balls) {
+  auto loop = std::make_unique<EventLoop<Ballistic>>(rules);
   std::vector<double> spins;
   for (const Spinning& ball : balls) spins.push_back(ball.spin);
-  tile->reset(std::vector<Disk>(balls.begin(), balls.end()), 0, {}, spins);
-  return tile;
+  loop->reset(std::vector<Disk>(balls.begin(), balls.end()), 0, {}, spins);
+  return loop;
 }
 
-Spinning ball(const Tile<Ballistic>& tile, std::size_t i) {
-  return {tile.disks()[i], tile.spins()[i]};
+Spinning ball(const EventLoop<Ballistic>& loop, std::size_t i) {
+  return {loop.disks()[i], loop.spins()[i]};
 }
 
 Spinning at(double x, double y, double vx = 0, double vy = 0, double spin = 0) {
@@ -60,9 +61,9 @@ double energy(const std::vector<Spinning>& disks) {
 // The impulse that stops the slip takes a third of it from the velocity and two thirds by the spin.
 TEST(EventFriction, a_ball_thrown_along_a_wall_that_grips_leaves_it_rolling_at_two_thirds) {
   for (const double side : {-1.0, 1.0}) {
-    const auto tile = tile_of(table(40, 10, 10), {at(-15, 0, 3, 2 * side)});
-    tile->advance_to(tile->motion().rules().scale.ticks(3));
-    const Spinning after = ball(*tile, 0);
+    const auto loop = loop_of(table(40, 10, 10), {at(-15, 0, 3, 2 * side)});
+    loop->advance_to(loop->motion().rules().scale.ticks(3));
+    const Spinning after = ball(*loop, 0);
     EXPECT_NEAR(after.vx, 2, 1e-15);
     EXPECT_EQ(after.vy, -2 * side);
     EXPECT_NEAR(after.spin * 0.5, 2 * side, 1e-15) << "no slip: the rim stands where it touches";
@@ -70,18 +71,18 @@ TEST(EventFriction, a_ball_thrown_along_a_wall_that_grips_leaves_it_rolling_at_t
 }
 
 TEST(EventFriction, a_wall_that_grips_little_takes_what_coulomb_allows) {
-  const auto tile = tile_of(table(40, 10, 0.1), {at(-15, 0, 3, -2)});
-  tile->advance_to(tile->motion().rules().scale.ticks(3));
-  const Spinning after = ball(*tile, 0);
+  const auto loop = loop_of(table(40, 10, 0.1), {at(-15, 0, 3, -2)});
+  loop->advance_to(loop->motion().rules().scale.ticks(3));
+  const Spinning after = ball(*loop, 0);
   EXPECT_NEAR(after.vx, 3 - 0.1 * 2 * 2, 1e-15);
   EXPECT_NEAR(after.spin, -2 * 0.1 * 2 * 2 / 0.5, 1e-14);
 }
 
 TEST(EventFriction, a_spinning_ball_that_hits_another_head_on_throws_it_aside) {
-  const auto tile = tile_of(table(40, 10, 10), {at(-5, 0, 1, 0, 6), at(0, 0)});
-  tile->advance_to(tile->motion().rules().scale.ticks(6));
-  const Spinning a = ball(*tile, 0);
-  const Spinning b = ball(*tile, 1);
+  const auto loop = loop_of(table(40, 10, 10), {at(-5, 0, 1, 0, 6), at(0, 0)});
+  loop->advance_to(loop->motion().rules().scale.ticks(6));
+  const Spinning a = ball(*loop, 0);
+  const Spinning b = ball(*loop, 1);
   // slip -(r w) = -3, impulse -slip / 6 along t = (0, 1)
   EXPECT_NEAR(b.vy, 0.5, 1e-15);
   EXPECT_NEAR(a.vy, -0.5, 1e-15);
@@ -103,12 +104,12 @@ TEST(EventFriction, a_struck_rack_that_rubs_stays_its_own_mirror_image_to_the_la
   for (std::size_t i = 1; i < disks.size(); ++i) {
     disks[i].spin = disks[i].y == 0 ? 0 : (disks[i].y > 0 ? 3 : -3);
   }
-  const auto tile = tile_of(table(20, 10, 0.4), disks);
+  const auto loop = loop_of(table(20, 10, 0.4), disks);
   double last = energy(disks);
   for (int frame = 1; frame <= 200; ++frame) {
-    tile->advance_to(tile->motion().rules().scale.ticks(0.05 * frame));
+    loop->advance_to(loop->motion().rules().scale.ticks(0.05 * frame));
     std::vector<Spinning> now_there;
-    for (std::size_t i = 0; i < disks.size(); ++i) now_there.push_back(ball(*tile, i));
+    for (std::size_t i = 0; i < disks.size(); ++i) now_there.push_back(ball(*loop, i));
     for (std::size_t i = 0; i < disks.size(); ++i) {
       const Spinning& a = now_there[i];
       const Spinning& b = now_there[twin[i]];
@@ -122,7 +123,7 @@ TEST(EventFriction, a_struck_rack_that_rubs_stays_its_own_mirror_image_to_the_la
     ASSERT_LE(now, last * (1 + 1e-14)) << "friction adds no energy; frame " << frame;
     last = now;
   }
-  EXPECT_GT(tile->counts().ball_ball, 50U);
+  EXPECT_GT(loop->counts().ball_ball, 50U);
   EXPECT_LT(last, 0.9 * energy(disks));
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "solvers/event/tile.hpp"
+#include "solvers/event/event_loop.hpp"
 
 namespace carom::event {
 namespace {
@@ -14,7 +14,7 @@ Rules table(double width, double height) {
   box.width = width;
   box.height = height;
   box.origin = Box::Origin::center;
-  return {Domain(box, true), TickScale(0.5), {0, 0}, true, 1, 1, {Kind{}}};
+  return {Domain(box, true), TickScale(0.5), {0, 0}, true, 1, 1, {Species{}}};
 }
 
 Disk at(double x, double y, double vx = 0, double vy = 0) {
@@ -33,37 +33,37 @@ TEST(EventInstant, a_cradle_passes_on_as_many_balls_as_come_in) {
     for (int k = 0; k < 5; ++k) {
       disks.push_back(k < coming ? at(k - 4.0, 0, 1) : at(k - 3.0, 0));
     }
-    Tile<Ballistic> tile(table(40, 10));
-    tile.reset(disks, 0);
-    tile.advance_to(tile.motion().rules().scale.ticks(3));
+    EventLoop<Ballistic> loop(table(40, 10));
+    loop.reset(disks, 0);
+    loop.advance_to(loop.motion().rules().scale.ticks(3));
     for (int k = 0; k < 5; ++k) {
-      EXPECT_EQ(tile.disks()[static_cast<std::size_t>(k)].vx, k >= 5 - coming ? 1 : 0) << k;
-      EXPECT_EQ(tile.disks()[static_cast<std::size_t>(k)].vy, 0);
+      EXPECT_EQ(loop.disks()[static_cast<std::size_t>(k)].vx, k >= 5 - coming ? 1 : 0) << k;
+      EXPECT_EQ(loop.disks()[static_cast<std::size_t>(k)].vy, 0);
     }
   }
 }
 
 TEST(EventInstant, a_hit_into_an_exact_corner_reverses_exactly) {
-  Tile<Ballistic> tile(table(8, 8));
-  tile.reset({at(0, 0, 3, 3)}, 0);
-  tile.advance_to(tile.motion().rules().scale.ticks(1.5));
-  EXPECT_EQ(tile.disks()[0].vx, -3);
-  EXPECT_EQ(tile.disks()[0].vy, -3);
-  EXPECT_EQ(tile.disks()[0].x, 3.5);
-  EXPECT_EQ(tile.disks()[0].y, 3.5);
-  EXPECT_EQ(tile.counts().ball_wall, 2U);
+  EventLoop<Ballistic> loop(table(8, 8));
+  loop.reset({at(0, 0, 3, 3)}, 0);
+  loop.advance_to(loop.motion().rules().scale.ticks(1.5));
+  EXPECT_EQ(loop.disks()[0].vx, -3);
+  EXPECT_EQ(loop.disks()[0].vy, -3);
+  EXPECT_EQ(loop.disks()[0].x, 3.5);
+  EXPECT_EQ(loop.disks()[0].y, 3.5);
+  EXPECT_EQ(loop.counts().ball_wall, 2U);
 }
 
 TEST(EventInstant, two_balls_that_hit_a_third_at_once_leave_as_mirror_images) {
   for (const bool swapped : {false, true}) {
     std::vector<Disk> disks{at(-2, 0.75, 1), at(-2, -0.75, 1), at(0.3, 0)};
     if (swapped) std::swap(disks[0], disks[1]);
-    Tile<Ballistic> tile(table(40, 10));
-    tile.reset(disks, 0);
-    tile.advance_to(tile.motion().rules().scale.ticks(3));
-    const Disk& upper = tile.disks()[swapped ? 1 : 0];
-    const Disk& lower = tile.disks()[swapped ? 0 : 1];
-    const Disk& third = tile.disks()[2];
+    EventLoop<Ballistic> loop(table(40, 10));
+    loop.reset(disks, 0);
+    loop.advance_to(loop.motion().rules().scale.ticks(3));
+    const Disk& upper = loop.disks()[swapped ? 1 : 0];
+    const Disk& lower = loop.disks()[swapped ? 0 : 1];
+    const Disk& third = loop.disks()[2];
     EXPECT_EQ(upper.vx, lower.vx);
     EXPECT_EQ(upper.vy, -lower.vy);
     EXPECT_GT(upper.vy, 0);
@@ -82,14 +82,14 @@ TEST(EventInstant, a_struck_rack_stays_its_own_mirror_image_to_the_last_bit) {
     for (int k = 0; k <= row; ++k) disks.push_back(at(row * std::sqrt(0.75), k - row / 2.0));
     for (int k = 0; k <= row; ++k) twin.push_back(first + static_cast<std::size_t>(row - k));
   }
-  Tile<Ballistic> tile(table(20, 10));
-  tile.reset(disks, 0);
+  EventLoop<Ballistic> loop(table(20, 10));
+  loop.reset(disks, 0);
   std::size_t compared = 0;
   for (int frame = 1; frame <= 400; ++frame) {
-    tile.advance_to(tile.motion().rules().scale.ticks(0.05 * frame));
+    loop.advance_to(loop.motion().rules().scale.ticks(0.05 * frame));
     for (std::size_t i = 0; i < disks.size(); ++i) {
-      const Disk& a = tile.disks()[i];
-      const Disk& b = tile.disks()[twin[i]];
+      const Disk& a = loop.disks()[i];
+      const Disk& b = loop.disks()[twin[i]];
       ASSERT_EQ(a.x, b.x) << "frame " << frame << " ball " << i;
       ASSERT_EQ(a.y, -b.y) << "frame " << frame << " ball " << i;
       ASSERT_EQ(a.vx, b.vx) << "frame " << frame << " ball " << i;
@@ -98,9 +98,9 @@ TEST(EventInstant, a_struck_rack_stays_its_own_mirror_image_to_the_last_bit) {
     }
   }
   EXPECT_EQ(compared, 400U * 16U);
-  EXPECT_GT(tile.counts().ball_ball, 100U);
+  EXPECT_GT(loop.counts().ball_ball, 100U);
   double energy = 0;
-  for (const Disk& disk : tile.disks()) energy += disk.vx * disk.vx + disk.vy * disk.vy;
+  for (const Disk& disk : loop.disks()) energy += disk.vx * disk.vx + disk.vy * disk.vy;
   EXPECT_NEAR(energy, 100, 1e-11);
 }
 

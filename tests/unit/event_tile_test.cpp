@@ -1,4 +1,4 @@
-#include "solvers/event/tile.hpp"
+#include "solvers/event/event_loop.hpp"
 
 #include <gtest/gtest.h>
 
@@ -88,8 +88,8 @@ std::vector<Disk> lattice(const Rules& rules, std::size_t columns, std::size_t r
                                 static_cast<double>(columns);
       disk.y = d.lower[1] + (static_cast<double>(r) + 0.5) * (d.upper[1] - d.lower[1]) /
                                 static_cast<double>(rows);
-      disk.kind = static_cast<Index>((r * columns + c) % rules.kinds.size());
-      if (rules.kinds[disk.kind].fixed()) {
+      disk.species = static_cast<Index>((r * columns + c) % rules.all_species.size());
+      if (rules.all_species[disk.species].fixed()) {
         disk.start = kEver;
       } else {
         disk.vx = normal(random);
@@ -107,16 +107,16 @@ void expect_same_bits(const Rules& rules, std::size_t columns, std::size_t rows,
   const Ticks end = rules.scale.ticks(seconds);
   AllPairs<P> slow(rules, start);
   slow.advance_to(end);
-  Tile<P> tile(rules);
-  tile.reset(start, 0);
-  tile.advance_to(end);
+  EventLoop<P> loop(rules);
+  loop.reset(start, 0);
+  loop.advance_to(end);
   ASSERT_GT(slow.counts.ball_ball, 100U);
-  EXPECT_EQ(tile.counts().ball_ball, slow.counts.ball_ball);
-  EXPECT_EQ(tile.counts().ball_wall, slow.counts.ball_wall);
-  EXPECT_GT(tile.counts().renewals, 10U);
+  EXPECT_EQ(loop.counts().ball_ball, slow.counts.ball_ball);
+  EXPECT_EQ(loop.counts().ball_wall, slow.counts.ball_wall);
+  EXPECT_GT(loop.counts().renewals, 10U);
   for (std::size_t i = 0; i < start.size(); ++i) {
     const Disk& a = slow.disks()[i];
-    const Disk& b = tile.disks()[i];
+    const Disk& b = loop.disks()[i];
     ASSERT_EQ(a.x, b.x) << i;
     ASSERT_EQ(a.y, b.y) << i;
     ASSERT_EQ(a.vx, b.vx) << i;
@@ -126,43 +126,44 @@ void expect_same_bits(const Rules& rules, std::size_t columns, std::size_t rows,
 }
 
 Rules rules_of(const Domain& d) {
-  return {d, TickScale((d.upper[0] - d.lower[0]) / 6), {0, 0}, true, 1, 1, {Kind{}}};
+  return {d, TickScale((d.upper[0] - d.lower[0]) / 6), {0, 0}, true, 1, 1, {Species{}}};
 }
 
-TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_between_walls) {
+TEST(EventLoopAlone, agrees_to_the_last_bit_with_every_pair_looked_at_between_walls) {
   expect_same_bits(rules_of(domain(12, 10, false, false)), 9, 8, 5);
 }
 
-TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_on_a_torus) {
+TEST(EventLoopAlone, agrees_to_the_last_bit_with_every_pair_looked_at_on_a_torus) {
   expect_same_bits(rules_of(domain(12, 10, true, true)), 9, 8, 5);
 }
 
-TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_in_a_thin_gas_in_a_channel) {
+TEST(EventLoopAlone, agrees_to_the_last_bit_with_every_pair_looked_at_in_a_thin_gas_in_a_channel) {
   expect_same_bits(rules_of(domain(40, 30, true, false)), 9, 8, 40);
 }
 
-TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_for_a_mixture_with_fixed_balls) {
+TEST(EventLoopAlone,
+     agrees_to_the_last_bit_with_every_pair_looked_at_for_a_mixture_with_fixed_balls) {
   Rules rules = rules_of(domain(14, 12, true, false));
-  rules.kinds = {{0.5, 1}, {0.25, 8}, {0.6, 0.5}, {0.3, 0}, {0.55, 1}};
+  rules.all_species = {{0.5, 1}, {0.25, 8}, {0.6, 0.5}, {0.3, 0}, {0.55, 1}};
   expect_same_bits(rules, 9, 8, 5);
 }
 
-TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_under_gravity) {
+TEST(EventLoopAlone, agrees_to_the_last_bit_with_every_pair_looked_at_under_gravity) {
   Rules rules = rules_of(domain(14, 12, false, false));
   rules.gravity = {0.5, -2};
   rules.restitution = 0.95;
   expect_same_bits<Ballistic>(rules, 9, 8, 5);
 }
 
-TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_falling_through_pegs) {
+TEST(EventLoopAlone, agrees_to_the_last_bit_with_every_pair_looked_at_falling_through_pegs) {
   Rules rules = rules_of(domain(14, 12, true, false));
   rules.gravity = {0, -2};
-  rules.kinds = {{0.5, 1}, {0.25, 8}, {0.6, 0.5}, {0.3, 0}, {0.55, 1}};
+  rules.all_species = {{0.5, 1}, {0.25, 8}, {0.6, 0.5}, {0.3, 0}, {0.55, 1}};
   expect_same_bits<Ballistic>(rules, 9, 8, 5);
 }
 
 // Breaks where a bound is later than what it bounds: walls or squares are then left unseen.
-TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_under_drag) {
+TEST(EventLoopAlone, agrees_to_the_last_bit_with_every_pair_looked_at_under_drag) {
   Rules rules = rules_of(domain(10, 8, false, false));
   for (const double rate : {0.001, 0.2, 0.6}) {
     rules.drag_rate = rate;
@@ -170,33 +171,33 @@ TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_under_drag) {
   }
 }
 
-TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_under_gravity_and_drag) {
+TEST(EventLoopAlone, agrees_to_the_last_bit_with_every_pair_looked_at_under_gravity_and_drag) {
   Rules rules = rules_of(domain(10, 8, true, false));
   rules.gravity = {0.5, -2.25};
   rules.drag_rate = 0.2;
   expect_same_bits<Drag>(rules, 8, 6, 4);
 }
 
-TEST(EventTile, agrees_to_the_last_bit_with_every_pair_looked_at_falling_fast) {
+TEST(EventLoopAlone, agrees_to_the_last_bit_with_every_pair_looked_at_falling_fast) {
   Rules rules = rules_of(domain(10, 8, false, false));
   rules.gravity = {0.25, -9.75};
   expect_same_bits<Ballistic>(rules, 8, 6, 8);
 }
 
 // With a tick this fine, flights are carried on several times and time is counted anew many times.
-TEST(EventTile, counting_time_from_a_later_tick_changes_no_bit) {
+TEST(EventLoopAlone, counting_time_from_a_later_tick_changes_no_bit) {
   Rules rules = rules_of(domain(12, 10, true, false));
   rules.scale = TickScale(0x1p-8);
   const auto start = lattice(rules, 5, 4);
   AllPairs<Ballistic> whole(rules, start);
-  Tile<Ballistic> parts(rules);
+  EventLoop<Ballistic> parts(rules);
   parts.reset(start, 0);
-  constexpr Ticks kEra = Ticks{1} << 60;
-  for (int era = 0; era < 40; ++era) {
-    parts.advance_to(kEra);
-    parts.rebase(kEra);
-    whole.advance_to(kEra);
-    whole.rebase(kEra);
+  constexpr Ticks kEpoch = Ticks{1} << 60;
+  for (int epoch = 0; epoch < 40; ++epoch) {
+    parts.advance_to(kEpoch);
+    parts.rebase(kEpoch);
+    whole.advance_to(kEpoch);
+    whole.rebase(kEpoch);
   }
   ASSERT_GT(parts.counts().ball_ball, 20U);
   EXPECT_EQ(parts.counts().ball_ball, whole.counts.ball_ball);
@@ -209,7 +210,7 @@ TEST(EventTile, counting_time_from_a_later_tick_changes_no_bit) {
 
 // Equal balls in a line pass each other in effect: ball i from the left is where the i-th of as
 // many free points would be, between walls one diameter nearer for each ball (Jepsen 1965).
-TEST(EventTile, rods_in_a_line_are_where_free_points_would_be) {
+TEST(EventLoopAlone, rods_in_a_line_are_where_free_points_would_be) {
   constexpr std::size_t kRods = 12;
   Rules rules = rules_of(domain(30, 1.5, false, false));
   std::mt19937_64 random(3);
@@ -219,11 +220,11 @@ TEST(EventTile, rods_in_a_line_are_where_free_points_would_be) {
     rods[i].x = -15 + (static_cast<double>(i) + 0.5) * 30 / kRods;
     rods[i].vx = normal(random);
   }
-  Tile<Ballistic> tile(rules);
-  tile.reset(rods, 0);
+  EventLoop<Ballistic> loop(rules);
+  loop.reset(rods, 0);
   const Ticks end = rules.scale.ticks(50);
-  tile.advance_to(end);
-  ASSERT_GT(tile.counts().ball_ball, 100U);
+  loop.advance_to(end);
+  ASSERT_GT(loop.counts().ball_ball, 100U);
 
   const double low = -15 + 0.5;
   const double length = 30 - 1.0 * kRods;
@@ -235,12 +236,12 @@ TEST(EventTile, rods_in_a_line_are_where_free_points_would_be) {
   }
   std::sort(points.begin(), points.end());
   for (std::size_t i = 0; i < kRods; ++i) {
-    const double at = tile.motion().place(tile.disks()[i], end).x;
+    const double at = loop.motion().place(loop.disks()[i], end).x;
     EXPECT_NEAR(at, points[i] + low + static_cast<double>(i), 1e-12) << i;
   }
 }
 
-TEST(EventTile, four_pairs_at_once_have_the_bits_of_one_at_a_time) {
+TEST(EventLoopAlone, four_pairs_at_once_have_the_bits_of_one_at_a_time) {
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
   std::size_t hits = 0;

@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-Scene crowded() {
+Scene in_island() {
   return parse_scene(
       R"({"box": {"width": 8, "height": 6}, "effects": {"walls": {}, "collisions": {}},
           "fill": [{"count": 48, "arrangement": "square"}]})",
@@ -28,7 +28,7 @@ TEST(FreePlace, IsFreeAndInsideAndFollowsFromItsNumber) {
 }
 
 TEST(FreePlace, IsFoundWhereOnlyOneIsLeft) {
-  Scene scene = crowded();
+  Scene scene = in_island();
   std::vector<Ball> balls = populate(scene);
   EXPECT_FALSE(find_free_place(scene, balls, 0.5, 1));
   const Vec2 gap = balls[27].position;
@@ -39,7 +39,7 @@ TEST(FreePlace, IsFoundWhereOnlyOneIsLeft) {
 }
 
 TEST(FreePlace, IsNotThereForABallLargerThanTheBox) {
-  EXPECT_FALSE(find_free_place(crowded(), {}, 3.5, 1));
+  EXPECT_FALSE(find_free_place(in_island(), {}, 3.5, 1));
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ struct ScriptLine {
 ///
 /// Units: decimal numbers as text, since they may have more digits than a double keeps.
 struct SavedFlight {
-  std::string start;  ///< ticks of the clock of the continuation, counted from its present era
+  std::string start;  ///< ticks of the clock of the continuation, counted from its present epoch
   std::array<std::string, 2> position;
   std::array<std::string, 2> velocity;
   std::string spin;                 ///< empty where balls have none

@@ -11,7 +11,7 @@ inline double lost_to_restitution(double approach, double departure, double inve
 }
 
 /// What friction did at a contact: its impulse along t, and the energy that it took.
-struct Rubbed {
+struct FrictionChange {
   double impulse = 0;
   double lost = 0;
 };

@@ -7,7 +7,7 @@ namespace carom::event {
 
 /// A disk that rubs: uniform, of inertia m r^2 / 2.
 template <class S>
-struct Rubbing {
+struct FrictionBody {
   Vec<S> velocity;
   S spin;
   S radius;
@@ -16,7 +16,7 @@ struct Rubbing {
 
 /// What friction does to a disk.
 template <class S>
-struct Rubbed {
+struct FrictionChange {
   Vec<S> velocity;  ///< what is added to it
   S spin;
 };
@@ -34,13 +34,13 @@ S approach_speed(const Vec<S>& r, const Vec<S>& v) {
 /// coefficient times the normal impulse.  A wall is a disk with no spin and no inverse mass.
 /// Holds: the same bits for (b, a, -r), and mirrored or swapped bits for mirrors and swapped axes.
 template <class S>
-class Rub {
+class FrictionImpact {
  public:
   /// `gain`: the normal impulse, as the change of the approach speed it makes.
   /// REQUIRES: one of
   /// the two can move.
-  Rub(const Rubbing<S>& a, const Rubbing<S>& b, const Vec<S>& r, const S& gain,
-      const S& coefficient)
+  FrictionImpact(const FrictionBody<S>& a, const FrictionBody<S>& b, const Vec<S>& r, const S& gain,
+                 const S& coefficient)
       : along_{-r.y, r.x}, length_(root(S(r.x * r.x + r.y * r.y))) {
     const S slip = cross(r, b.velocity - a.velocity) / length_ -
                    sum_of_products(a.radius, a.spin, b.radius, b.spin);
@@ -62,7 +62,7 @@ class Rub {
   [[nodiscard]] const S& impulse() const { return impulse_; }
 
   /// What it does to a (`side` -1) or to b (`side` 1), in so many parts of the whole.
-  Rubbed<S> on(const Rubbing<S>& disk, int side, const S& part) const {
+  FrictionChange<S> on(const FrictionBody<S>& disk, int side, const S& part) const {
     const S change = part * impulse_ * disk.inverse_mass;
     const S by_length = side * change / length_;
     return {by_length * along_, S(-2 * change / disk.radius)};

@@ -16,28 +16,28 @@ namespace carom::event {
 // that the hop is over before the clock moves, rests on it from this instant: its normal velocity
 // is 0 and nothing accelerates it that way.  Dropped from h it rests at sqrt(2h/g)(1+e)/(1-e),
 // exactly at the wall, after about ln(2^55) / ln(1/e) hops; along the wall it glides on.  The same
-// straight above a fixed ball.  Seen from a ball that falls it accelerates: peg_time().  Where the
-// wall is elastic, and only other impacts or drag lose energy, hops do not end: there those within
-// 2^-12 sqrt(s/g) are none, s twice the radius; they are 2^-27 s high.
+// straight above a fixed ball.  Seen from a ball that falls it accelerates: fixed_disk_time().
+// Where the wall is elastic, and only other impacts or drag lose energy, hops do not end: there
+// those within 2^-12 sqrt(s/g) are none, s twice the radius; they are 2^-27 s high.
 //
-// Along a wall that rubs, with mu and the normal pull g_n, a uniform disk slides under g_t - mu g_n
-// against its slip, its spin changing by 2 mu g_n / r in a second, until the slip is 0: an event of
-// its own. Then it rolls, under two thirds of the pull along the wall and of the rate of drag, if
-// friction can give it the other third, |g_t - k v| <= 3 mu g_n; the pull fades, so it then rolls
-// until something meets it. Else it slides the way it is pulled.  What turns in a corner rubs on
-// both walls until it turns no more, if its turning presses it to both.
+// Along a wall with friction, with mu and the normal pull g_n, a uniform disk slides under g_t - mu
+// g_n against its slip, its spin changing by 2 mu g_n / r in a second, until the slip is 0: an
+// event of its own. Then it rolls, under two thirds of the pull along the wall and of the rate of
+// drag, if friction can give it the other third, |g_t - k v| <= 3 mu g_n; the pull fades, so it
+// then rolls until something meets it. Else it slides the way it is pulled.  What turns in a corner
+// rubs on both walls until it turns no more, if its turning presses it to both.
 //
 // Rule 2, collapse without a force (McNamara and Young, Phys. Fluids A 4 (1992) 496).  Two that
 // would part by less than 2^-40 of their distance while something crosses the box take one normal
 // velocity: they stay together, and are counted.  Balls that have been hit within 2^15 ticks before
 // are resolved with all that touch them as one joint_impact().
 //
-// Rule 3, crowds.  A contact that lasts and slides (a ball on the side of another, a pile that
+// Rule 3, islands.  A contact that lasts and slides (a ball on the side of another, a pile that
 // creeps) has no closed form.  Under gravity and with losses the balls of such contacts are a
-// crowd, which is stepped: at every whole multiple of a power of two of ticks, h, about 2^-5 of the
-// time of a fall through the largest radius, each of its balls gets g h and the least impulses by
-// which no contact closes beyond touching until the next step, friction included, and flies
-// straight till then.  Impacts with others still come at their own times.  Two join a crowd by an
+// island, which is stepped: at every whole multiple of a power of two of ticks, h, about 2^-5 of
+// the time of a fall through the largest radius, each of its balls gets g h and the least impulses
+// by which no contact closes beyond touching until the next step, friction included, and flies
+// straight till then.  Impacts with others still come at their own times.  Two join an island by an
 // impact
 //   - after which they would meet again within a step, as gravity presses them together,
 //   - or shortly after both have been hit: within 2^-12 sqrt(s/g), and 2^-12 of s: contacts last
@@ -47,24 +47,24 @@ namespace carom::event {
 // else must take energy from the two: one of them is
 // carried already; or, where walls lose energy or there is drag, one is within 2^-16 of its
 // diameter of a wall and both have been hit within 2^-16 instead of 2^-12; or, where there is drag,
-// one is fixed and the other comes at less than 2^-12 sqrt(s g). A harder impact on a crowd is
+// one is fixed and the other comes at less than 2^-12 sqrt(s g). A harder impact on an island is
 // resolved for all of it at once: by the least impulses after which it parts e times as fast as it
-// came and nothing closes.  A ball that nothing in the crowd carries leaves it.  A crowd gains no
-// energy, counted without what gravity has given it ahead of its fall.  Where nothing loses energy
-// along a normal, a step holds only what approaches no faster than 2 h (g + u^2 / s), u the slip,
-// as gravity and the turning normal of a contact that lasts make it; what comes faster, or to a
-// wall, is an impact at its own time.
+// came and nothing closes.  A ball that nothing in the island carries leaves it.  An island gains
+// no energy, counted without what gravity has given it ahead of its fall.  Where nothing loses
+// energy along a normal, a step holds only what approaches no faster than 2 h (g + u^2 / s), u the
+// slip, as gravity and the turning normal of a contact that lasts make it; what comes faster, or to
+// a wall, is an impact at its own time.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of
 // up to 16 balls: what is pulled, by 2^-22 g, moves on.  A ball on a single fixed one rests only
-// straight above it.  While a crowd rests it costs nothing.
+// straight above it.  While an island rests it costs nothing.
 //
-// Rule 5, waking.  A crowd at rest moves again when a ball that is not of it hits one that is, when
-// one of it is removed, or when gravity is set.
+// Rule 5, waking.  An island at rest moves again when a ball that is not of it hits one that is,
+// when one of it is removed, or when gravity is set.
 //
 // What there is to save of this is, ball by ball, the axes along which something carries it, and
-// whether it is in a crowd, and rests; the rest follows from the flights.
+// whether it is in an island, and rests; the rest follows from the flights.
 
 /// Rule 1: leaving at v, pressed back by a, the hop is over before the clock moves.
 template <class S>
@@ -98,11 +98,11 @@ inline constexpr double kCollapse = 0x1p15;
 /// neighbours are listed for.
 inline constexpr double kTouching = 0x1p-31;
 
-/// Rule 3: the longest step, as a part of the fall; how near the balls of a crowd are that a step
+/// Rule 3: the longest step, as a part of the fall; how near the balls of an island are that a step
 /// looks at together, as a part of their contact's distance.
 inline constexpr double kStep = 0x1p-5;
 inline constexpr double kNear = 0x1p-6;
-/// An instant with more contacts than this is one of a crowd.
+/// An instant with more contacts than this is one of an island.
 inline constexpr int kManyContacts = 16;
 
 /// Rule 4, in parts of the speed that gravity makes in a step: what is still, what a contact

@@ -195,23 +195,23 @@ void ContactGroup::exchange(const Contact& contact, const Blow& blow, const Doma
   const LineOfCentres& line = contact.line;
   a.velocity -= blow.j * a.inverse_mass * line.r;
   b.velocity += blow.j * b.inverse_mass * line.r;
-  Rubbed rubbed;
+  FrictionChange by_friction;
   if (rule.friction > 0) {
     const Stopwatch stopwatch(count.timed, count.friction_seconds);
-    rubbed = rub(a, b, line, blow.j * line.length, rule.friction);
+    by_friction = apply_friction(a, b, line, blow.j * line.length, rule.friction);
   }
   if (blow.bounces) ++count.ball_ball;
-  rubbed.lost += lost_to_restitution(blow.arrival, blow.leaving, contact.inverse_masses);
-  count.lost += rubbed.lost;
+  by_friction.lost += lost_to_restitution(blow.arrival, blow.leaving, contact.inverse_masses);
+  count.lost += by_friction.lost;
   if (count.log.wanted) {
-    Impact& impact = note(contact, blow.j * line.length, rubbed, count.log);
+    Impact& impact = note(contact, blow.j * line.length, by_friction, count.log);
     if (blow.bounces) impact.kind = ImpactKind::ball;
   }
   rebound(a, domain, rule, count);
   rebound(b, domain, rule, count);
 }
 
-Impact& ContactGroup::note(const Contact& contact, double normal, const Rubbed& rubbed,
+Impact& ContactGroup::note(const Contact& contact, double normal, const FrictionChange& by_friction,
                            ImpactLog& log) const {
   Impact& impact = log.impacts.emplace_back();
   impact.time = log.time;
@@ -222,8 +222,8 @@ Impact& ContactGroup::note(const Contact& contact, double normal, const Rubbed& 
   impact.normal = contact.line.r / contact.line.length;
   impact.distance = contact.line.distance;
   impact.impulse = normal;
-  impact.tangential = rubbed.impulse;
-  impact.energy_lost = rubbed.lost;
+  impact.tangential = by_friction.impulse;
+  impact.energy_lost = by_friction.lost;
   return impact;
 }
 
@@ -248,8 +248,8 @@ bool ContactGroup::separate(const Contact& contact, const Domain& domain, double
   return true;
 }
 
-void note_wall(const WallImpact& met, std::size_t axis, const Member& ball, const Rubbed& rubbed,
-               ImpactLog& log) {
+void note_wall(const WallImpact& met, std::size_t axis, const Member& ball,
+               const FrictionChange& by_friction, ImpactLog& log) {
   Impact& impact = log.impacts.emplace_back();
   impact.time = log.time;
   impact.kind = met.bounces ? ImpactKind::wall : ImpactKind::rest;
@@ -259,8 +259,9 @@ void note_wall(const WallImpact& met, std::size_t axis, const Member& ball, cons
   impact.normal[axis] = met.upper ? 1 : -1;
   impact.distance = ball.radius;
   impact.impulse = ball.mass * met.impulse;
-  impact.tangential = ball.mass * rubbed.impulse;
-  impact.energy_lost = ball.mass * (lost_to_restitution(met.arrival, met.leaving, 1) + rubbed.lost);
+  impact.tangential = ball.mass * by_friction.impulse;
+  impact.energy_lost =
+      ball.mass * (lost_to_restitution(met.arrival, met.leaving, 1) + by_friction.lost);
 }
 
 void ContactGroup::rebound(Member& member, const Domain& domain, const CollisionRule& rule,
@@ -275,16 +276,16 @@ void ContactGroup::rebound(Member& member, const Domain& domain, const Collision
     const double normal = v * (1 + rule.wall_restitution);
     const double arrival = std::abs(v);
     v *= -rule.wall_restitution;
-    Rubbed rubbed;
+    FrictionChange by_friction;
     if (rule.wall_friction > 0) {
       const Stopwatch stopwatch(count.timed, count.friction_seconds);
-      rubbed = rub_wall(member, axis, normal, rule.wall_friction);
+      by_friction = apply_wall_friction(member, axis, normal, rule.wall_friction);
     }
     ++count.ball_wall;
-    count.lost += member.mass * (rubbed.lost + lost_to_restitution(arrival, v, 1));
+    count.lost += member.mass * (by_friction.lost + lost_to_restitution(arrival, v, 1));
     if (!count.log.wanted) continue;
     const WallImpact met{member.ball, outwards > 0, true, arrival, std::abs(v), std::abs(normal)};
-    note_wall(met, axis, member, rubbed, count.log);
+    note_wall(met, axis, member, by_friction, count.log);
   }
 }
 

@@ -29,8 +29,8 @@ struct Member {
 };
 
 /// Notes what a ball met at a wall across an axis.
-void note_wall(const WallImpact& met, std::size_t axis, const Member& ball, const Rubbed& rubbed,
-               ImpactLog& log);
+void note_wall(const WallImpact& met, std::size_t axis, const Member& ball,
+               const FrictionChange& by_friction, ImpactLog& log);
 
 /// Two members that touch.
 struct Contact {
@@ -88,7 +88,8 @@ class ContactGroup {
                       ImpactCount& count);
   /// Notes a contact that does not bounce: its impulse along the normal, what friction did, and all
   /// that was lost.
-  Impact& note(const Contact& contact, double normal, const Rubbed& rubbed, ImpactLog& log) const;
+  Impact& note(const Contact& contact, double normal, const FrictionChange& by_friction,
+               ImpactLog& log) const;
 
  private:
   void put_in_order();

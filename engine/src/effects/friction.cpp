@@ -19,7 +19,8 @@ double wall_impulse(double along, double surface, double normal, double coeffici
 
 }  // namespace
 
-Rubbed rub(Member& a, Member& b, const LineOfCentres& line, double normal, double coefficient) {
+FrictionChange apply_friction(Member& a, Member& b, const LineOfCentres& line, double normal,
+                              double coefficient) {
   const Vec2 t = Vec2{-line.r.y(), line.r.x()} / line.length;
   const double slip = (b.velocity - a.velocity).dot(t) - (a.radius * a.spin + b.radius * b.spin);
   const double inverse_masses = a.inverse_mass + b.inverse_mass;
@@ -31,7 +32,8 @@ Rubbed rub(Member& a, Member& b, const LineOfCentres& line, double normal, doubl
   return {impulse, lost_to_friction(slip, impulse, inverse_masses)};
 }
 
-Rubbed rub_wall(Member& member, std::size_t axis, double normal, double coefficient) {
+FrictionChange apply_wall_friction(Member& member, std::size_t axis, double normal,
+                                   double coefficient) {
   const double outwards = normal < 0 ? -1 : 1;
   // n = (outwards, 0) gives t = (0, outwards), n = (0, outwards) gives t = (-outwards, 0).
   const double t = axis == 0 ? outwards : -outwards;
@@ -44,8 +46,8 @@ Rubbed rub_wall(Member& member, std::size_t axis, double normal, double coeffici
   return {impulse, lost_to_friction(slip, impulse, 1)};
 }
 
-void rub_walls(Balls& balls, std::size_t begin, std::size_t count, const Struck& struck,
-               double coefficient, double* lost, RubbedBlock* rubbed) {
+void apply_wall_frictions(Balls& balls, std::size_t begin, std::size_t count, const Struck& struck,
+                          double coefficient, double* lost, FrictionBlock* by_friction) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (std::size_t k = 0; k < count; ++k) {
       const double normal = struck.normal[axis][k];
@@ -55,9 +57,9 @@ void rub_walls(Balls& balls, std::size_t begin, std::size_t count, const Struck&
       member.velocity = {balls.velocity[0][i], balls.velocity[1][i]};
       member.radius = balls.radius[i];
       member.spin = balls.spin[i];
-      const Rubbed here = rub_wall(member, axis, normal, coefficient);
+      const FrictionChange here = apply_wall_friction(member, axis, normal, coefficient);
       lost[k] += balls.mass[i] * here.lost;
-      if (rubbed != nullptr) (*rubbed)[axis][k] = here;
+      if (by_friction != nullptr) (*by_friction)[axis][k] = here;
       balls.velocity[1 - axis][i] = member.velocity[1 - axis];
       balls.spin[i] = member.spin;
     }

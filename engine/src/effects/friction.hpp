@@ -14,11 +14,13 @@ namespace carom::effects {
 /// and like a fixed ball 1/m = 0.
 
 /// Rubs two members of a group that have just met: `normal` is the size of their normal impulse.
-Rubbed rub(Member& a, Member& b, const LineOfCentres& line, double normal, double coefficient);
+FrictionChange apply_friction(Member& a, Member& b, const LineOfCentres& line, double normal,
+                              double coefficient);
 
 /// Rubs a member at the wall across an axis: `normal` is the impulse by mass towards the outside,
 /// and so is what it gives, by mass.
-Rubbed rub_wall(Member& member, std::size_t axis, double normal, double coefficient);
+FrictionChange apply_wall_friction(Member& member, std::size_t axis, double normal,
+                                   double coefficient);
 
 /// What a block of balls took from the walls across each axis in a step: impulse by mass, towards
 /// the outside; 0 where a ball met none.
@@ -27,11 +29,11 @@ struct Struck {
 };
 
 /// What friction did to them there.
-using RubbedBlock = std::array<std::array<Rubbed, Flight::kBlock>, 2>;
+using FrictionBlock = std::array<std::array<FrictionChange, Flight::kBlock>, 2>;
 
 /// Rubs the balls of a block at the walls they struck; `lost`, of the first of them, adds up the
 /// energy that it takes; `rubbed`, if there is one, is told of each across each axis.
-void rub_walls(Balls& balls, std::size_t begin, std::size_t count, const Struck& struck,
-               double coefficient, double* lost, RubbedBlock* rubbed = nullptr);
+void apply_wall_frictions(Balls& balls, std::size_t begin, std::size_t count, const Struck& struck,
+                          double coefficient, double* lost, FrictionBlock* by_friction = nullptr);
 
 }  // namespace carom::effects

@@ -127,10 +127,10 @@ void OverlapSolver::fly(Share share) {
       effects::Struck struck;
       fly(i, block_end, desk, &struck);
       const Stopwatch stopwatch(timed(), desk.seconds.of<Friction>());
-      effects::RubbedBlock rubbed;
-      effects::rub_walls(balls_, i, block_end - i, struck, rule_.wall_friction, &lost[i],
-                         recording_ ? &rubbed : nullptr);
-      if (recording_) note_walls(i, &rubbed, desk);
+      effects::FrictionBlock by_friction;
+      effects::apply_wall_frictions(balls_, i, block_end - i, struck, rule_.wall_friction, &lost[i],
+                                    recording_ ? &by_friction : nullptr);
+      if (recording_) note_walls(i, &by_friction, desk);
     } else {
       std::array<double, Flight::kBlock> before{};
       const bool keeps = lasting_ && drag_rate_ > 0;
@@ -182,7 +182,7 @@ void OverlapSolver::fly(std::size_t begin, std::size_t end, Desk& desk, effects:
   }
 }
 
-void OverlapSolver::note_walls(std::size_t begin, const effects::RubbedBlock* rubbed,
+void OverlapSolver::note_walls(std::size_t begin, const effects::FrictionBlock* by_friction,
                                Desk& desk) const {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (const effects::WallImpact& met : desk.met[axis]) {
@@ -192,7 +192,8 @@ void OverlapSolver::note_walls(std::size_t begin, const effects::RubbedBlock* ru
       ball.position = balls_.at(i);
       ball.radius = balls_.radius[i];
       ball.mass = balls_.mass[i];
-      effects::note_wall(met, axis, ball, rubbed == nullptr ? Rubbed{} : (*rubbed)[axis][met.k],
+      effects::note_wall(met, axis, ball,
+                         by_friction == nullptr ? FrictionChange{} : (*by_friction)[axis][met.k],
                          desk.impacts.log);
     }
     desk.met[axis].clear();

@@ -93,7 +93,7 @@ class OverlapSolver final : public Solver {
 
   void fly(Share share);
   void fly(std::size_t begin, std::size_t end, Desk& desk, effects::Struck* struck);
-  void note_walls(std::size_t begin, const effects::RubbedBlock* rubbed, Desk& desk) const;
+  void note_walls(std::size_t begin, const effects::FrictionBlock* by_friction, Desk& desk) const;
   void count_missed_hits();
   void note_moves(std::size_t begin, std::size_t end, Desk& desk) const;
   void search(Share share);

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "solvers/event/event_solver.hpp"
-#include "solvers/integrated/integrated_solver.hpp"
+#include "solvers/event/solver.hpp"
+#include "solvers/integrated/solver.hpp"
 #include "solvers/overlap.hpp"
 
 namespace carom {

@@ -43,9 +43,9 @@ class AnyLaw {
   S wall_arrival(std::size_t axis, int side, const S& h, const S& v, const S& elapsed) const {
     return ask([&](const auto& law) { return law.wall_arrival(axis, side, h, v, elapsed); });
   }
-  S peg_wait(const Vec<S>& r, const Vec<S>& v, const S& s, bool from_contact) const {
-    if (damped_) return damped_law_.peg_wait(r, v, s, from_contact);
-    return straight_ ? pair_time(r, v, s) : ballistic_law_.peg_wait(r, v, s, from_contact);
+  S fixed_disk_wait(const Vec<S>& r, const Vec<S>& v, const S& s, bool from_contact) const {
+    if (damped_) return damped_law_.fixed_disk_wait(r, v, s, from_contact);
+    return straight_ ? pair_time(r, v, s) : ballistic_law_.fixed_disk_wait(r, v, s, from_contact);
   }
   const S& pull(std::size_t axis) const { return damped_law_.pull(axis); }
   const Vec<S>& pull() const { return damped_law_.pull(); }

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "trajectory/damped_peg_time.hpp"
+#include "trajectory/damped_fixed_disk_time.hpp"
 #include "trajectory/damped_wall_time.hpp"
 #include "trajectory/damping.hpp"
 #include "trajectory/flight.hpp"
@@ -42,8 +42,8 @@ struct DampedLaw {
     const S arrival = DampedFall<S>{h, v, pull(axis, side), rate}.at(elapsed).slope;
     return arrival < 0 ? arrival : S(0);
   }
-  S peg_wait(const Vec<S>& r, const Vec<S>& v, const S& s, bool from_contact) const {
-    return damped_peg_time(r, v, gravity, s, rate, from_contact);
+  S fixed_disk_wait(const Vec<S>& r, const Vec<S>& v, const S& s, bool from_contact) const {
+    return damped_fixed_disk_time(r, v, gravity, s, rate, from_contact);
   }
   const S& pull(std::size_t axis) const { return axis == 0 ? gravity.x : gravity.y; }
   const Vec<S>& pull() const { return gravity; }

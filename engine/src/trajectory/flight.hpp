@@ -3,8 +3,8 @@
 #include <cstddef>
 
 #include "numbers/scalar.hpp"
+#include "trajectory/fixed_disk_time.hpp"
 #include "trajectory/pair_time.hpp"
-#include "trajectory/peg_time.hpp"
 #include "trajectory/wall_time.hpp"
 
 namespace carom::event {
@@ -20,12 +20,12 @@ struct Flight {
 
 // A law of flight gives, besides where a flight goes: when() turns the time of pair_time() into
 // time; wall_wait(), when a ball meets a wall whose normal points along `side` (1 or -1) of an
-// axis, h and v along that normal, and wall_arrival(), its normal velocity then; peg_wait(), when
-// it meets a fixed ball, where flights bend past it; pull(), what pulls it along an axis; push(),
-// how it accelerates there at some velocity, which then fades at the rate fading() and keeps its
-// sign; under(), the same law with another pull; rolling(), of a disk that rolls along a wall;
-// bends(), whether flights are anything but straight. kStretches: when() does something, and gives
-// no less than it is given.
+// axis, h and v along that normal, and wall_arrival(), its normal velocity then; fixed_disk_wait(),
+// when it meets a fixed ball, where flights bend past it; pull(), what pulls it along an axis;
+// push(), how it accelerates there at some velocity, which then fades at the rate fading() and
+// keeps its sign; under(), the same law with another pull; rolling(), of a disk that rolls along a
+// wall; bends(), whether flights are anything but straight. kStretches: when() does something, and
+// gives no less than it is given.
 
 /// The law of a ball that something carries along some axes: 1 for x, 2 for y.
 template <class Law>
@@ -84,8 +84,8 @@ struct BallisticLaw {
   S wall_arrival(std::size_t axis, int side, const S& h, const S& v, const S&) const {
     return wall_arrival_velocity(h, v, pull(axis, side));
   }
-  S peg_wait(const Vec<S>& r, const Vec<S>& v, const S& s, bool from_contact) const {
-    return peg_time(r, v, gravity, s, from_contact);
+  S fixed_disk_wait(const Vec<S>& r, const Vec<S>& v, const S& s, bool from_contact) const {
+    return fixed_disk_time(r, v, gravity, s, from_contact);
   }
   const S& pull(std::size_t axis) const { return axis == 0 ? gravity.x : gravity.y; }
   const S& push(std::size_t axis, const S&) const { return pull(axis); }

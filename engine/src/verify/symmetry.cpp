@@ -87,9 +87,9 @@ double worst_rerun(const Trial& trial, Scene scene, std::uint64_t stream, Rerun 
 /// A ball that hops on a fixed one until it falls off: its way does not tell by itself that it
 /// began at a contact, and each hop makes more of what is lost of it.
 Scene hopping(const Scene& scene) {
-  Ball peg = ball(4, 2, 0, 0, 1);
-  peg.fixed = true;
-  return with_balls(scene, {peg, ball(4.001, 3.3125, 0, 0, 0.25)});
+  Ball fixed_disk = ball(4, 2, 0, 0, 1);
+  fixed_disk.fixed = true;
+  return with_balls(scene, {fixed_disk, ball(4.001, 3.3125, 0, 0, 0.25)});
 }
 
 double stopped_bits(const Trial& trial) {

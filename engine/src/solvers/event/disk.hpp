@@ -31,7 +31,7 @@ struct alignas(64) BasicDisk {
   Time meets = Clock<S>::never();   ///< when it meets `partner`; no impact of its comes earlier
   Time leaves = Clock<S>::never();  ///< when it leaves the square for which neighbours are listed
   Index partner = kUnknown;
-  Index kind = 0;  ///< its radius and mass, in the table of kinds
+  Index species = 0;  ///< its radius and mass, in the table of kinds
 
   [[nodiscard]] const Time& due() const { return meets < leaves ? meets : leaves; }
 };

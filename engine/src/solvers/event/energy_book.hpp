@@ -8,7 +8,7 @@
 
 namespace carom::event {
 
-/// What impacts and drag have taken from the energy of a tile's balls.
+/// What impacts and drag have taken from the energy of an event loop's balls.
 ///
 /// Holds: sums are rounded once, so that the order of impacts of one instant does not show.
 class EnergyBook {

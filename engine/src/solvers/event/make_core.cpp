@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "solvers/event/tile_core.hpp"
+#include "solvers/event/loop_core.hpp"
 #include "solvers/event/wide_core.hpp"
 #include "solvers/event/wide_physics.hpp"
 #include "state/domain.hpp"
@@ -43,7 +43,8 @@ bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
   if (!scene.effects.gravity) return false;
   if (scene.effects.drag) return true;  // it makes every hop shorter
   const Vec2& g = scene.effects.gravity->acceleration;
-  if (scene.effects.friction && rubs_in_corners(scene.effects.friction->walls, {g.x(), g.y()})) {
+  if (scene.effects.friction &&
+      friction_in_corners(scene.effects.friction->walls, {g.x(), g.y()})) {
     return true;
   }
   // Without losses only what touches from the start can rest, and what fits exactly between walls.
@@ -56,15 +57,15 @@ bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
 
 std::unique_ptr<Core> make_core(CoreStart start, int digits) {
   if (digits > kDigitsOfDouble) return std::make_unique<WideCore>(std::move(start), digits);
-  if (start.effects.drag) return std::make_unique<TileCore<Drag>>(std::move(start));
-  return std::make_unique<TileCore<Ballistic>>(std::move(start));
+  if (start.effects.drag) return std::make_unique<LoopCore<Drag>>(std::move(start));
+  return std::make_unique<LoopCore<Ballistic>>(std::move(start));
 }
 
 BallBytes ball_bytes(const Scene& scene) {
   const auto bytes_of = [&]<class P>(P) {
     const std::size_t spin = scene.effects.friction ? sizeof(typename P::Scalar) : 0;
     return BallBytes{sizeof(typename P::Disk) + spin, Neighbours<P>::kBytesOfBall,
-                     Agenda<typename P::Clock>::kBytesOfBall};
+                     EventQueue<typename P::Clock>::kBytesOfBall};
   };
   return scene.solver.digits > kDigitsOfDouble ? bytes_of(WidePhysics{}) : bytes_of(Ballistic{});
 }

@@ -26,12 +26,12 @@ struct Meeting {
 
 // What carries a ball, beside the axes along which walls do.
 inline constexpr unsigned kLying = 3;     ///< in a corner, or on the very top of a fixed ball
-inline constexpr unsigned kSlides = 4;    ///< along a wall that rubs: + 2 axis, + 1 if forwards
+inline constexpr unsigned kSlides = 4;    ///< along a wall with friction: + 2 axis, + 1 if forwards
 inline constexpr unsigned kRolls = 8;     ///< along a wall: + axis
 inline constexpr unsigned kSpins = 10;    ///< in a corner that rubs
-inline constexpr unsigned kResting = 11;  ///< in a crowd that rests
-inline constexpr unsigned kStepped = 12;  ///< in a crowd that moves
-inline constexpr unsigned kJoins = 13;    ///< in a crowd from its next step on
+inline constexpr unsigned kResting = 11;  ///< in an island that rests
+inline constexpr unsigned kStepped = 12;  ///< in an island that moves
+inline constexpr unsigned kJoins = 13;    ///< in an island from its next step on
 
 template <class S>
 Vec<double> in_double(const Vec<S>& v) {
@@ -56,7 +56,7 @@ class Motion {
   using Time = typename P::Time;
   using At = typename P::At;
   using Disk = typename P::Disk;
-  using Kind = BasicKind<S>;
+  using Species = BasicSpecies<S>;
   using Rules = BasicRules<S>;
 
   explicit Motion(Rules rules);
@@ -87,7 +87,8 @@ class Motion {
     const Vec<S> r{nearest(x, periods[0], S(periods[0] / 2)),
                    nearest(y, periods[1], S(periods[1] / 2))};
     const Vec<S> v{later.vx - earlier.vx, later.vy - earlier.vy};
-    const Time ticks = rules_.scale.ticks(pair_time(r, v, S(kind(a).radius + kind(b).radius)));
+    const Time ticks =
+        rules_.scale.ticks(pair_time(r, v, S(species(a).radius + species(b).radius)));
     return ticks == P::Clock::never() ? ticks : Time(later.start + ticks);
   }
   /// When a ball meets a wall, or has flown so far that its flight starts anew.
@@ -99,7 +100,7 @@ class Motion {
   void carry(Disk& disk, At now, S* spin = nullptr) const;
   /// The spin at `now` of a ball that had this one at the start of its flight.
   [[nodiscard]] S spin_at(const Disk& disk, const S& spin, At now) const;
-  /// `spin`: of the ball, counter-clockwise; null where balls do not rub.
+  /// `spin`: of the ball, counter-clockwise; null where balls have no friction.
   /// Gives the energy that the impact takes.
   double bounce(Disk& disk, S* spin, Index wall, At now) const;
   struct Strike {
@@ -110,9 +111,10 @@ class Motion {
   Strike strike(Disk& a, S* spin_a, Disk& b, S* spin_b, At now) const;
   /// What friction does in such an impact, to balls that are where they meet, r apart; gives the
   /// energy it takes.
-  double rub(Disk& a, S& spin_a, Disk& b, S& spin_b, const Vec<S>& r) const;
+  double apply_friction(Disk& a, S& spin_a, Disk& b, S& spin_b, const Vec<S>& r) const;
   /// The same at a wall, that the ball comes to at the speed `arrival`.
-  double rub_wall(Disk& disk, S& spin, std::size_t axis, int side, const S& arrival) const;
+  double apply_wall_friction(Disk& disk, S& spin, std::size_t axis, int side,
+                             const S& arrival) const;
   /// What drag, and friction with the walls it slides along, take from a flight till `now`; `spin`:
   /// at its start.
   [[nodiscard]] double flight_loss(const Disk& disk, const S* spin, At now) const;
@@ -132,9 +134,11 @@ class Motion {
   [[nodiscard]] const Rules& rules() const { return rules_; }
   [[nodiscard]] const typename P::Law& law() const { return law_; }
   [[nodiscard]] const Room<S>& room() const { return room_; }
-  [[nodiscard]] const Kind& kind(const Disk& disk) const { return rules_.kinds[disk.kind]; }
-  [[nodiscard]] bool fixed(const Disk& disk) const { return kind(disk).fixed(); }
-  [[nodiscard]] bool one_kind() const { return plain_kinds_ == 1; }
+  [[nodiscard]] const Species& species(const Disk& disk) const {
+    return rules_.all_species[disk.species];
+  }
+  [[nodiscard]] bool fixed(const Disk& disk) const { return species(disk).fixed(); }
+  [[nodiscard]] bool one_species() const { return plain_species_ == 1; }
   [[nodiscard]] double largest_radius() const { return largest_radius_; }
   [[nodiscard]] const std::array<S, 2>& periods() const { return room_.periods(); }
   /// How far along an axis a flight may go before it starts anew; infinite where it may go on.
@@ -158,15 +162,15 @@ class Motion {
   }
   /// It moves, and nothing carries it.
   [[nodiscard]] bool flies(const Disk& disk) const {
-    return disk.kind < plain_kinds_ && !fixed(disk);
+    return disk.species < plain_species_ && !fixed(disk);
   }
 
   /// What a ball flies by.
   [[nodiscard]] const typename P::Law& law_of(const Disk& disk) const {
-    if (disk.kind < plain_kinds_) [[likely]] {
+    if (disk.species < plain_species_) [[likely]] {
       return law_;
     }
-    return carried_laws_[kind(disk).carried];
+    return carried_laws_[species(disk).carried];
   }
 
   /// The answer of the law that the ball flies by.
@@ -188,42 +192,42 @@ class Motion {
   [[nodiscard]] Time wall_meets(const Disk& disk, Index wall) const;
 
   /// Whether an impact of the two is one of ever more in ever less time; one may be fixed.
-  [[nodiscard]] bool squeezed(const Disk& a, const Disk& b, At now) const;
+  [[nodiscard]] bool jammed(const Disk& a, const Disk& b, At now) const;
 
   // Contacts that rest, where rests(): motion_rest_body.hpp.
   /// What carries it: the axes along which walls do, 1 for x, 2 for y, or one of the above.
-  [[nodiscard]] unsigned carried(const Disk& disk) const { return kind(disk).carried; }
+  [[nodiscard]] unsigned carried(const Disk& disk) const { return species(disk).carried; }
   void set_carried(Disk& disk, unsigned axes) const {
-    disk.kind = static_cast<Index>(disk.kind % plain_kinds_ + axes * plain_kinds_);
+    disk.species = static_cast<Index>(disk.species % plain_species_ + axes * plain_species_);
   }
-  /// It is one of a crowd.
-  [[nodiscard]] bool crowded(const Disk& disk) const { return carried(disk) >= kResting; }
-  /// It has been looked at together with those of its crowd that are near.
+  /// It is one of an island.
+  [[nodiscard]] bool in_island(const Disk& disk) const { return carried(disk) >= kResting; }
+  /// It has been looked at together with those of its island that are near.
   [[nodiscard]] bool stepped(const Disk& disk) const {
     return carried(disk) == kResting || carried(disk) == kStepped;
   }
   /// Lets walls carry it where it touches them, is pressed to them and leaves them no more; on one
   /// that rubs it slides or rolls.
   /// Gives the energy of the hops that it no longer does.
-  double lean_on_walls(Disk& disk, S* spin) const;
+  double support_on_walls(Disk& disk, S* spin) const;
   /// At the end of its slide: the spin of what rolls.
   void settle(const Disk& disk, S& spin) const;
   /// The same on the very top of a fixed ball.
-  double lean_on_peg(Disk& disk, const Disk& peg) const;
+  double support_on_fixed_disk(Disk& disk, const Disk& fixed_disk) const;
   /// Rule 2: whether two that touch part no more: so slowly that the run cannot tell.
   [[nodiscard]] bool stays_together(const Vec<S>& r, const Vec<S>& v, const S& reach) const;
   [[nodiscard]] bool stay_together(const Disk& a, const Disk& b) const {
     return stays_together(way({a.x, a.y}, {b.x, b.y}), {b.vx - a.vx, b.vy - a.vy},
-                          S(kind(a).radius + kind(b).radius));
+                          S(species(a).radius + species(b).radius));
   }
   /// Whether both have been hit within the clock's resolution, or little more.
   [[nodiscard]] bool collapses(const Disk& a, const Disk& b, At now) const;
-  /// Rule 3: whether an impact of the two loses all, and they go on as a crowd; one of them may be
-  /// fixed. r: from a to b.
-  [[nodiscard]] bool clings(const Disk& a, const Disk& b, const Vec<S>& r, At now) const;
-  /// The same for a ball of a crowd that comes to a wall at this speed.
-  [[nodiscard]] bool clings_to_wall(const Disk& disk, const S& speed, At now) const;
-  /// Crowds are stepped every 2^this ticks.
+  /// Rule 3: whether an impact of the two loses all, and they go on as an island; one of them may
+  /// be fixed. r: from a to b.
+  [[nodiscard]] bool sticks(const Disk& a, const Disk& b, const Vec<S>& r, At now) const;
+  /// The same for a ball of an island that comes to a wall at this speed.
+  [[nodiscard]] bool sticks_to_wall(const Disk& disk, const S& speed, At now) const;
+  /// Islands are stepped every 2^this ticks.
   [[nodiscard]] int step_shift() const { return step_shift_; }
   /// What gravity makes in a step.
   [[nodiscard]] const S& speed_of_step() const { return speed_of_step_; }
@@ -239,7 +243,7 @@ class Motion {
  private:
   void add_carried_kinds();
   void add_carried_laws();
-  /// A ball on one wall that rubs, and how it moves along it.
+  /// A ball on one wall with friction, and how it moves along it.
   struct Track {
     std::size_t along;  ///< axis
     int turns;          ///< a spin of 1 moves its lowest point by turns * radius along the axis
@@ -247,7 +251,7 @@ class Motion {
   };
   [[nodiscard]] Track track(unsigned axes) const;
   void grip(Disk& disk, S& spin) const;
-  double lean_in_corner(Disk& disk, const S& spin) const;
+  double support_in_corner(Disk& disk, const S& spin) const;
   /// What two walls do to a ball that turns between them.
   struct Corner {
     Vec<S> load;  ///< on the wall of either axis, for a mass of 1
@@ -268,9 +272,9 @@ class Motion {
   [[nodiscard]] bool stays_down(const S& v, const S& a, const S& restitution, const S& reach) const;
   [[nodiscard]] S meeting_wait(const Disk& earlier, const Disk& later, const S& reach,
                                bool from_contact, At until) const;
-  /// Whether the step of their crowd has seen to it that they do not meet before the next one.
+  /// Whether the step of their island has seen to it that they do not meet before the next one.
   [[nodiscard]] bool stepped_together(const Disk& a, const Disk& b) const;
-  /// Something carries it that can: a wall, or a crowd.
+  /// Something carries it that can: a wall, or an island.
   [[nodiscard]] bool lies_on_something(const Disk& disk) const;
   /// Whether it all but touches a wall.
   [[nodiscard]] bool is_at_wall(const Disk& disk, At now) const;
@@ -278,7 +282,7 @@ class Motion {
                               const S& part) const;
   /// Of a ball that is stopped.
   [[nodiscard]] double moving_energy(const Disk& disk, const S& speed) const;
-  [[nodiscard]] Rubbing<S> rubbing(const Disk& disk, const S& spin) const;
+  [[nodiscard]] FrictionBody<S> friction_body(const Disk& disk, const S& spin) const;
   /// Whether it goes less than a quick bound says within `wait`, and so far it is from all that it
   /// can meet alone.
   [[nodiscard]] bool stays_clear(const Disk& disk, double wait) const requires kIsDouble<S>;
@@ -298,8 +302,8 @@ class Motion {
   bool elastic_ = false;
   std::vector<typename P::Law> carried_laws_;  ///< by what carries
   double largest_radius_ = 0;
-  std::size_t plain_kinds_ = 1;  ///< without what carries them
-  S pull_ = 0;                   ///< gravity's size
+  std::size_t plain_species_ = 1;  ///< without what carries them
+  S pull_ = 0;                     ///< gravity's size
   int step_shift_ = 0;
   S speed_of_step_ = 0;
 };

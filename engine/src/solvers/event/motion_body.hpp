@@ -27,7 +27,7 @@ Motion<P>::Motion(Rules rules)
       bends_(law_.bends() || rules_.falls),
       rests_(rules_.rests) {
   S largest = 0;
-  for (const Kind& kind : rules_.kinds) largest = std::max(largest, kind.radius);
+  for (const Species& species : rules_.all_species) largest = std::max(largest, species.radius);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const S period = rules_.domain.period[axis];
     // Two balls whose nearest images do not meet while each goes this far meet in no other image.
@@ -38,7 +38,7 @@ Motion<P>::Motion(Rules rules)
     farthest_[axis] = room_.periodic(axis) ? static_cast<double>(reach_[axis]) : never<double>();
   }
   largest_radius_ = static_cast<double>(largest);
-  plain_kinds_ = rules_.kinds.size();
+  plain_species_ = rules_.all_species.size();
   if (!rests_) return;
   const Vec<S>& g = law_.pull();
   pull_ = root(S(g.x * g.x + g.y * g.y));
@@ -82,13 +82,13 @@ auto Motion<P>::wrapped(const Vec<S>& at) const -> Vec<S> {
 template <class P>
 auto Motion<P>::pair_meets(const Disk& a, const Disk& b, bool from_contact,
                            [[maybe_unused]] At until) const -> Time {
-  const S reach = kind(a).radius + kind(b).radius;
+  const S reach = species(a).radius + species(b).radius;
   if (hops() && stepped_together(a, b)) return P::Clock::never();
   if (bends_ && (fixed(a) || fixed(b))) {
     const Disk& ball = fixed(a) ? b : a;
-    const Disk& peg = fixed(a) ? a : b;
-    const Vec<S> r = way({peg.x, peg.y}, {ball.x, ball.y});
-    const S wait = law_of(ball).peg_wait(r, Vec<S>{ball.vx, ball.vy}, reach, from_contact);
+    const Disk& fixed_disk = fixed(a) ? a : b;
+    const Vec<S> r = way({fixed_disk.x, fixed_disk.y}, {ball.x, ball.y});
+    const S wait = law_of(ball).fixed_disk_wait(r, Vec<S>{ball.vx, ball.vy}, reach, from_contact);
     const Time ticks = rules_.scale.ticks(wait);
     return ticks == P::Clock::never() ? ticks : Time(ball.start + ticks);
   }
@@ -115,7 +115,7 @@ template <class P>
 auto Motion<P>::wall(const Disk& disk, const Vec<S>& at, Index wall) const -> Wall {
   const std::size_t axis = (wall - kWalls) / 2;
   const S& x = axis == 0 ? at.x : at.y;
-  const S& radius = kind(disk).radius;
+  const S& radius = species(disk).radius;
   if ((wall - kWalls) % 2 == 0) {
     const S stop = room_.lowest(axis, radius);
     return {x - stop, stop};
@@ -138,7 +138,7 @@ template <class P>
 Meeting<P> Motion<P>::wall_meeting(const Disk& disk, std::size_t axis, bool low, bool high) const {
   const S& x = axis == 0 ? disk.x : disk.y;
   const S& v = axis == 0 ? disk.vx : disk.vy;
-  const S& radius = kind(disk).radius;
+  const S& radius = species(disk).radius;
   const auto& law = law_of(disk);
   S wait_low = never<S>();
   S wait_high = never<S>();
@@ -148,7 +148,7 @@ Meeting<P> Motion<P>::wall_meeting(const Disk& disk, std::size_t axis, bool low,
   if (wait == P::Clock::never()) return {};
   const auto side = static_cast<Index>(2 * axis) + (wait_high < wait_low ? 1U : 0U);
   if (hops()) {
-    // The step of its crowd has seen to it.
+    // The step of its island has seen to it.
     const Index wall = kWalls + side;
     const double part = elastic_ ? kTouching : kNear;
     const S speed = absolute(v);
@@ -165,7 +165,7 @@ template <class P>
 [[gnu::always_inline]] inline bool Motion<P>::stays_clear(const Disk& disk,
                                                           double wait) const requires kIsDouble<S> {
   const auto& law = law_of(disk);
-  const double radius = kind(disk).radius;
+  const double radius = species(disk).radius;
   const TwoLanes at{disk.x, disk.y};
   const TwoLanes v{disk.vx, disk.vy};
   TwoLanes most = with_signs(v, signs(v));
@@ -197,7 +197,7 @@ Meeting<P> Motion<P>::alone(const Disk& disk, At until, const S* spin) const {
     }
   }
   const S half = wait / 2;
-  const S& radius = kind(disk).radius;
+  const S& radius = species(disk).radius;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const S& x = axis == 0 ? disk.x : disk.y;
     const S& v = axis == 0 ? disk.vx : disk.vy;
@@ -243,7 +243,7 @@ template <class P>
 double Motion<P>::bounce(Disk& disk, S* spin, Index wall, At now) const {
   const std::size_t axis = (wall - kWalls) / 2;
   const bool upper = (wall - kWalls) % 2 == 1;
-  const S& radius = kind(disk).radius;
+  const S& radius = species(disk).radius;
   const S stop = upper ? room_.highest(axis, radius) : room_.lowest(axis, radius);
   const int side = upper ? -1 : 1;
   S& x = axis == 0 ? disk.x : disk.y;
@@ -252,13 +252,13 @@ double Motion<P>::bounce(Disk& disk, S* spin, Index wall, At now) const {
                                               rules_.scale.seconds(now - disk.start));
   carry(disk, now, spin);
   double lost = 0;
-  if (spin != nullptr) lost = rub_wall(disk, *spin, axis, side, arrival);
+  if (spin != nullptr) lost = apply_wall_friction(disk, *spin, axis, side, arrival);
   x = stop;
   v = side * wall_impact(arrival, S(rules_.wall_restitution));
   if (rules_.wall_restitution < 1) {
     const auto speed = static_cast<double>(arrival);
     lost += lost_to_restitution(speed, rules_.wall_restitution * speed,
-                                static_cast<double>(kind(disk).inverse_mass));
+                                static_cast<double>(species(disk).inverse_mass));
   }
   return lost;
 }
@@ -266,55 +266,56 @@ double Motion<P>::bounce(Disk& disk, S* spin, Index wall, At now) const {
 template <class P>
 double Motion<P>::moving_energy(const Disk& disk, const S& speed) const {
   return lost_to_restitution(static_cast<double>(speed), 0,
-                             static_cast<double>(kind(disk).inverse_mass));
+                             static_cast<double>(species(disk).inverse_mass));
 }
 
 template <class P>
-Rubbing<typename P::Scalar> Motion<P>::rubbing(const Disk& disk, const S& spin) const {
-  return {{disk.vx, disk.vy}, spin, kind(disk).radius, kind(disk).inverse_mass};
+FrictionBody<typename P::Scalar> Motion<P>::friction_body(const Disk& disk, const S& spin) const {
+  return {{disk.vx, disk.vy}, spin, species(disk).radius, species(disk).inverse_mass};
 }
 
 // Before the normal impulse, which then has the last word on whether the two still approach.
 template <class P>
-double Motion<P>::rub(Disk& a, S& spin_a, Disk& b, S& spin_b, const Vec<S>& r) const {
-  const Rubbing<S> one = rubbing(a, spin_a);
-  const Rubbing<S> other = rubbing(b, spin_b);
+double Motion<P>::apply_friction(Disk& a, S& spin_a, Disk& b, S& spin_b, const Vec<S>& r) const {
+  const FrictionBody<S> one = friction_body(a, spin_a);
+  const FrictionBody<S> other = friction_body(b, spin_b);
   const S approach = approach_speed(r, other.velocity - one.velocity);
-  if (!(approach > 0) || (kind(a).fixed() && kind(b).fixed())) return 0;
-  const Rub<S> rub(one, other, r, S((1 + S(rules_.restitution)) * approach), S(rules_.friction));
-  const auto take = [](Disk& disk, S& spin, const Rubbed<S>& got) {
+  if (!(approach > 0) || (species(a).fixed() && species(b).fixed())) return 0;
+  const FrictionImpact<S> friction(one, other, r, S((1 + S(rules_.restitution)) * approach),
+                                   S(rules_.friction));
+  const auto take = [](Disk& disk, S& spin, const FrictionChange<S>& got) {
     disk.vx += got.velocity.x;
     disk.vy += got.velocity.y;
     spin += got.spin;
   };
-  take(a, spin_a, rub.on(one, -1, S(1)));
-  take(b, spin_b, rub.on(other, 1, S(1)));
-  return rub.loss();
+  take(a, spin_a, friction.on(one, -1, S(1)));
+  take(b, spin_b, friction.on(other, 1, S(1)));
+  return friction.loss();
 }
 
 template <class P>
-double Motion<P>::rub_wall(Disk& disk, S& spin, std::size_t axis, int side,
-                           const S& arrival) const {
-  const Rubbing<S> ball = rubbing(disk, spin);
-  const Rubbing<S> wall{{S(0), S(0)}, S(0), S(0), S(0)};
+double Motion<P>::apply_wall_friction(Disk& disk, S& spin, std::size_t axis, int side,
+                                      const S& arrival) const {
+  const FrictionBody<S> ball = friction_body(disk, spin);
+  const FrictionBody<S> wall{{S(0), S(0)}, S(0), S(0), S(0)};
   const Vec<S> towards = axis == 0 ? Vec<S>{S(-side), S(0)} : Vec<S>{S(0), S(-side)};
-  const Rub<S> rub(ball, wall, towards, S((1 + S(rules_.wall_restitution)) * -arrival),
-                   S(rules_.wall_friction));
-  const Rubbed<S> got = rub.on(ball, -1, S(1));
+  const FrictionImpact<S> friction(
+      ball, wall, towards, S((1 + S(rules_.wall_restitution)) * -arrival), S(rules_.wall_friction));
+  const FrictionChange<S> got = friction.on(ball, -1, S(1));
   (axis == 0 ? disk.vy : disk.vx) += axis == 0 ? got.velocity.y : got.velocity.x;
   spin += got.spin;
-  return rub.loss();
+  return friction.loss();
 }
 
 template <class P>
 auto Motion<P>::strike(Disk& a, S* spin_a, Disk& b, S* spin_b, At now) const -> Strike {
-  const Kind& ka = kind(a);
-  const Kind& kb = kind(b);
+  const Species& ka = species(a);
+  const Species& kb = species(b);
   if (!ka.fixed()) carry(a, now, spin_a);
   if (!kb.fixed()) carry(b, now, spin_b);
   const Vec<S> r = way({a.x, a.y}, {b.x, b.y});
   double lost = 0;
-  if (spin_a != nullptr) lost = rub(a, *spin_a, b, *spin_b, r);
+  if (spin_a != nullptr) lost = apply_friction(a, *spin_a, b, *spin_b, r);
   const Vec<S> before = Vec<S>{b.vx, b.vy} - Vec<S>{a.vx, a.vy};
   double restitution = rules_.restitution;
   Velocities<S> after = pair_impact(r, Vec<S>{a.vx, a.vy}, Vec<S>{b.vx, b.vy}, ka.inverse_mass,

@@ -5,25 +5,25 @@
 
 #include "contact/rest_rules.hpp"
 #include "solvers/event/motion.hpp"
+#include "trajectory/fixed_disk_time.hpp"
 #include "trajectory/pair_time.hpp"
-#include "trajectory/peg_time.hpp"
 
 namespace carom::event {
 
 template <class P>
 void Motion<P>::add_carried_kinds() {
   for (unsigned axes = 1; axes <= kJoins; ++axes) {
-    for (std::size_t k = 0; k < plain_kinds_; ++k) {
-      Kind kind = rules_.kinds[k];
-      kind.carried = axes;
-      rules_.kinds.push_back(kind);
+    for (std::size_t k = 0; k < plain_species_; ++k) {
+      Species species = rules_.all_species[k];
+      species.carried = axes;
+      rules_.all_species.push_back(species);
     }
   }
   add_carried_laws();
   if (!(pull_ > 0)) return;
   const S fall = root(S(2 * S(largest_radius_) / pull_));
   const Time span = rules_.scale.ticks(S(kStep * fall));
-  step_shift_ = P::Clock::shift_of(std::min(span, P::Clock::era()));
+  step_shift_ = P::Clock::shift_of(std::min(span, P::Clock::epoch()));
   speed_of_step_ = pull_ * rules_.scale.seconds(P::Clock::span(1, step_shift_));
 }
 
@@ -34,14 +34,14 @@ bool Motion<P>::stays_down(const S& v, const S& a, const S& restitution, const S
 }
 
 template <class P>
-double Motion<P>::lean_on_walls(Disk& disk, S* spin) const {
+double Motion<P>::support_on_walls(Disk& disk, S* spin) const {
   const Vec<S>& g = law_.pull();
   unsigned axes = 0;
   double lost = 0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const S& a = axis == 0 ? g.x : g.y;
     if (a == 0 || !room_.solid(axis)) continue;
-    const S& radius = kind(disk).radius;
+    const S& radius = species(disk).radius;
     const S stop = a < 0 ? room_.lowest(axis, radius) : room_.highest(axis, radius);
     const S& x = axis == 0 ? disk.x : disk.y;
     S& v = axis == 0 ? disk.vx : disk.vy;
@@ -68,16 +68,16 @@ double Motion<P>::lean_on_walls(Disk& disk, S* spin) const {
     if (axes == kSpins) return lost;
   }
   grip(disk, *spin);
-  return lost + lean_in_corner(disk, *spin);
+  return lost + support_in_corner(disk, *spin);
 }
 
 // What slides turns, and may drive itself into another wall: both rub it until it turns no more.
 template <class P>
-double Motion<P>::lean_in_corner(Disk& disk, const S& spin) const {
+double Motion<P>::support_in_corner(Disk& disk, const S& spin) const {
   if (!slides(disk) || spin == 0) return 0;
   const std::size_t axis = track(axes_of(carried(disk))).along;
   if (!room_.solid(axis)) return 0;
-  const S& radius = kind(disk).radius;
+  const S& radius = species(disk).radius;
   const S& x = axis == 0 ? disk.x : disk.y;
   S& v = axis == 0 ? disk.vx : disk.vy;
   const S push = law_of(disk).push(axis, v);
@@ -94,13 +94,13 @@ double Motion<P>::lean_in_corner(Disk& disk, const S& spin) const {
 }
 
 template <class P>
-double Motion<P>::lean_on_peg(Disk& disk, const Disk& peg) const {
-  const Vec<S> r = way({peg.x, peg.y}, {disk.x, disk.y});
+double Motion<P>::support_on_fixed_disk(Disk& disk, const Disk& fixed_disk) const {
+  const Vec<S> r = way({fixed_disk.x, fixed_disk.y}, {disk.x, disk.y});
   const Vec<S> v{disk.vx, disk.vy};
   const Vec<S>& g = law_.pull();
   if (!straight_up(r, v, g)) return 0;
   const S away = root(S(v.x * v.x + v.y * v.y));
-  const S reach = kind(disk).radius + kind(peg).radius;
+  const S reach = species(disk).radius + species(fixed_disk).radius;
   if (away > 0 && !stays_down(away, pull_, S(rules_.restitution), reach)) return 0;
   disk.vx = 0;
   disk.vy = 0;
@@ -124,10 +124,10 @@ bool Motion<P>::collapses(const Disk& a, const Disk& b, At now) const {
 
 template <class P>
 bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const {
-  const bool of_crowds = (stepped(a) || fixed(a)) && (stepped(b) || fixed(b));
-  if (!of_crowds || (a.start != b.start && !fixed(a) && !fixed(b))) return false;
+  const bool of_islands = (stepped(a) || fixed(a)) && (stepped(b) || fixed(b));
+  if (!of_islands || (a.start != b.start && !fixed(a) && !fixed(b))) return false;
   const Vec<S> r = way({a.x, a.y}, {b.x, b.y});
-  const S reach = kind(a).radius + kind(b).radius;
+  const S reach = species(a).radius + species(b).radius;
   if (!near(r, reach, S(kNear))) return false;
   if (!elastic_) return true;
   const Vec<S> v{b.vx - a.vx, b.vy - a.vy};
@@ -154,17 +154,17 @@ bool Motion<P>::is_at_wall(const Disk& disk, At now) const {
   const Vec<S> at = wrapped(place(disk, now));
   for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
     if (!room_.solid((wall - kWalls) / 2)) continue;
-    if (!(this->wall(disk, at, wall).gap > 2 * kind(disk).radius * kBriefly)) return true;
+    if (!(this->wall(disk, at, wall).gap > 2 * species(disk).radius * kBriefly)) return true;
   }
   return false;
 }
 
 template <class P>
-bool Motion<P>::squeezed(const Disk& a, const Disk& b, At now) const {
+bool Motion<P>::jammed(const Disk& a, const Disk& b, At now) const {
   if (elastic_) return false;
   const bool loses = rules_.restitution < 1 || lies_on_something(a) || lies_on_something(b);
   const bool on_fixed = fixed(a) || fixed(b);
-  const S reach = kind(a).radius + kind(b).radius;
+  const S reach = species(a).radius + species(b).radius;
   const auto both = [&](double part, const S& speed) {
     return just_hit(a, reach, speed, now, S(part)) && just_hit(b, reach, speed, now, S(part));
   };
@@ -184,31 +184,31 @@ bool Motion<P>::squeezed(const Disk& a, const Disk& b, At now) const {
 }
 
 template <class P>
-bool Motion<P>::clings(const Disk& a, const Disk& b, const Vec<S>& r, At now) const {
+bool Motion<P>::sticks(const Disk& a, const Disk& b, const Vec<S>& r, At now) const {
   const Vec<S> v = velocity(b, now) - velocity(a, now);
   const S distance = root(S(r.x * r.x + r.y * r.y));
   const S speed = -sharp_dot(r, v) / distance;
   // What comes straight down on a fixed ball is a ball on a floor.
-  if (fixed(b) && !crowded(a) && straight_up(-r, v, law_.pull())) return false;
-  if (fixed(a) && !crowded(b) && straight_up(r, v, law_.pull())) return false;
+  if (fixed(b) && !in_island(a) && straight_up(-r, v, law_.pull())) return false;
+  if (fixed(a) && !in_island(b) && straight_up(r, v, law_.pull())) return false;
   const auto pull_on = [this](const Disk& disk) {
     return fixed(disk) ? Vec<S>{S(0), S(0)} : law_of(disk).pull();
   };
   const S pressing = -sharp_dot(r, pull_on(b) - pull_on(a)) / distance;
-  if (barely_hops(speed, pressing, S(kind(a).radius + kind(b).radius), kAtOnce)) return true;
+  if (barely_hops(speed, pressing, S(species(a).radius + species(b).radius), kAtOnce)) return true;
   if (elastic_) return false;
-  if (squeezed(a, b, now)) return true;
+  if (jammed(a, b, now)) return true;
   if (rules_.restitution == 1 && !lies_on_something(a) && !lies_on_something(b)) return false;
   const auto carried = [this](const Disk& disk) { return fixed(disk) || this->carried(disk) != 0; };
-  if ((crowded(a) && carried(b)) || (carried(a) && crowded(b))) return speed <= speed_of_step_;
+  if ((in_island(a) && carried(b)) || (carried(a) && in_island(b))) return speed <= speed_of_step_;
   return pressing > 0 && speed * pull_ <= pressing * speed_of_step_;
 }
 
 template <class P>
-bool Motion<P>::clings_to_wall(const Disk& disk, const S& speed, At now) const {
-  if (elastic_) return barely_hops(speed, pull_, S(2 * kind(disk).radius), kAtOnce);
+bool Motion<P>::sticks_to_wall(const Disk& disk, const S& speed, At now) const {
+  if (elastic_) return barely_hops(speed, pull_, S(2 * species(disk).radius), kAtOnce);
   return speed <= speed_of_step_ ||
-         just_hit(disk, S(2 * kind(disk).radius), speed, now, S(kShortly));
+         just_hit(disk, S(2 * species(disk).radius), speed, now, S(kShortly));
 }
 
 // One of the two may be carried: then they accelerate as seen from each other.
@@ -233,7 +233,7 @@ auto Motion<P>::meeting_wait(const Disk& earlier, const Disk& later, const S& re
     return unlike_wait(earlier, later, relative, reach, until);
   }
   if (pull.x == 0 && pull.y == 0) return law.when(pair_time(relative.r, relative.v, reach));
-  return law.under(pull).peg_wait(relative.r, relative.v, reach, from_contact);
+  return law.under(pull).fixed_disk_wait(relative.r, relative.v, reach, from_contact);
 }
 
 }  // namespace carom::event

@@ -42,7 +42,7 @@ template <class P>
 void Motion<P>::grip(Disk& disk, S& spin) const {
   const unsigned axes = carried(disk);
   const Track wall = track(axes);
-  const S& radius = kind(disk).radius;
+  const S& radius = species(disk).radius;
   const S& v = wall.along == 0 ? disk.vx : disk.vy;
   const S surface = wall.turns * radius * spin;
   const S slip = v + surface;
@@ -65,7 +65,7 @@ void Motion<P>::grip(Disk& disk, S& spin) const {
 template <class P>
 auto Motion<P>::corner(const Disk& disk, const S& spin) const -> Corner {
   const Vec<S>& g = law_.pull();
-  const S& radius = kind(disk).radius;
+  const S& radius = species(disk).radius;
   const int x_side = disk.x == room_.lowest(0, radius) ? -1 : 1;
   const int y_side = disk.y == room_.lowest(1, radius) ? -1 : 1;
   const int turns = x_side * y_side * (spin > 0 ? 1 : -1);
@@ -84,7 +84,7 @@ void Motion<P>::settle(const Disk& disk, S& spin) const {
     return;
   }
   const Track wall = track(axes_of(carried(disk)));
-  spin = 0 - wall.turns * (wall.along == 0 ? disk.vx : disk.vy) / kind(disk).radius;
+  spin = 0 - wall.turns * (wall.along == 0 ? disk.vx : disk.vy) / species(disk).radius;
 }
 
 template <class P>
@@ -99,10 +99,10 @@ auto Motion<P>::spin_at(const Disk& disk, const S& spin, At now) const -> S {
   const Track wall = track(axes_of(code));
   if (code >= kRolls) {
     const Vec<S> v = velocity(disk, now);
-    return 0 - wall.turns * (wall.along == 0 ? v.x : v.y) / kind(disk).radius;
+    return 0 - wall.turns * (wall.along == 0 ? v.x : v.y) / species(disk).radius;
   }
   const S elapsed = rules_.scale.seconds(now - disk.start);
-  return spin - 2 * slide_sign(disk) * wall.turns * wall.grip * elapsed / kind(disk).radius;
+  return spin - 2 * slide_sign(disk) * wall.turns * wall.grip * elapsed / species(disk).radius;
 }
 
 // The slip along its sign; it rises at most once and falls then for good.
@@ -111,7 +111,7 @@ auto Motion<P>::slide_wait(const Disk& disk, const S& spin) const -> S {
   const Track wall = track(axes_of(carried(disk)));
   const int sign = slide_sign(disk);
   const auto& law = law_of(disk);
-  const S surface = wall.turns * kind(disk).radius * spin;
+  const S surface = wall.turns * species(disk).radius * spin;
   const S& start = wall.along == 0 ? disk.vx : disk.vy;
   const auto slip = [&](const S& t) {
     const Vec<S> v = law.velocity(flight(disk), t);
@@ -142,33 +142,34 @@ template <class P>
 auto Motion<P>::slides_of(const Disk& disk, const S* spin, At now) const -> std::vector<Slide> {
   if (spin == nullptr || fixed(disk) || now == disk.start) return {};
   const S elapsed = rules_.scale.seconds(now - disk.start);
-  const S mass = 1 / kind(disk).inverse_mass;
+  const S mass = 1 / species(disk).inverse_mass;
   const Vec<S>& g = law_.pull();
   const Index x_wall = kWalls + (g.x > 0 ? 1U : 0U);
   const Index y_wall = kWalls + 2 + (g.y > 0 ? 1U : 0U);
   if (carried(disk) == kSpins) {
-    const S was = kind(disk).radius * *spin;
-    const S is = kind(disk).radius * spin_at(disk, *spin, now);
+    const S was = species(disk).radius * *spin;
+    const S is = species(disk).radius * spin_at(disk, *spin, now);
     // It stops turning within its flight, and rubs no longer.
     const S longest = absolute(*spin) / corner(disk, *spin).slower;
-    const S rubbing = longest < elapsed ? longest : elapsed;
+    const S friction_body = longest < elapsed ? longest : elapsed;
     const Vec<S> load = corner(disk, *spin).load;
     const S lost = mass / 4 * ((was - is) * (was + is));
     const auto slide = [&](Index wall, const S& pressing) {
-      const S impulse = mass * pressing * rubbing;
+      const S impulse = mass * pressing * friction_body;
       const S tangential = S(rules_.wall_friction) * impulse;
       return Slide{wall, static_cast<double>(impulse),
                    static_cast<double>(S(*spin > 0 ? tangential : S(-tangential))),
                    static_cast<double>(S(lost * (pressing / (load.x + load.y))))};
     };
-    return {slide(disk.x == room_.lowest(0, kind(disk).radius) ? kWalls : kWalls + 1, load.x),
-            slide(disk.y == room_.lowest(1, kind(disk).radius) ? kWalls + 2 : kWalls + 3, load.y)};
+    return {
+        slide(disk.x == room_.lowest(0, species(disk).radius) ? kWalls : kWalls + 1, load.x),
+        slide(disk.y == room_.lowest(1, species(disk).radius) ? kWalls + 2 : kWalls + 3, load.y)};
   }
   if (!slides(disk)) return {};
   const Track wall = track(axes_of(carried(disk)));
   const Vec<S> way = law_of(disk).displacement(flight(disk), elapsed);
   const S& along = wall.along == 0 ? way.x : way.y;
-  const S surface = wall.turns * kind(disk).radius * *spin;
+  const S surface = wall.turns * species(disk).radius * *spin;
   const int sign = slide_sign(disk);
   const S slipped = sign * (along + surface * elapsed) - wall.grip * elapsed * elapsed;
   const S normal = mass * absolute(wall.along == 0 ? g.y : g.x) * elapsed;
@@ -184,7 +185,7 @@ double Motion<P>::flight_loss(const Disk& disk, const S* spin, At now) const {
   const auto& law = law_of(disk);
   double lost = 0;
   if (rules_.drag_rate > 0) {
-    const double mass = 1 / static_cast<double>(kind(disk).inverse_mass);
+    const double mass = 1 / static_cast<double>(species(disk).inverse_mass);
     const DragLoss loss(static_cast<double>(S(law.fading())), seconds);
     lost = loss.along(static_cast<double>(disk.vx), static_cast<double>(S(law.pull(0)))) +
            loss.along(static_cast<double>(disk.vy), static_cast<double>(S(law.pull(1))));

@@ -74,7 +74,7 @@ class Neighbours {
   };
 
   [[nodiscard]] double radius(const typename P::Disk& disk) const {
-    return static_cast<double>(motion_.kind(disk).radius);
+    return static_cast<double>(motion_.species(disk).radius);
   }
   void choose_skin(const Disks& disks, double area);
   void set_square(const typename P::Disk& disk, Index i, const Flight<S>& here);

@@ -182,7 +182,7 @@ std::uint32_t Neighbours<P>::keep_near(const Disks& disks, Index i, std::uint32_
     dy = (dy < zero ? -dy : dy) - 2 * skin_ * wider;
     dx = dx < zero ? zero : dx;
     dy = dy < zero ? zero : dy;
-    if (!motion_.one_kind()) {
+    if (!motion_.one_species()) {
       for (std::uint32_t l = 0; l < kLanes; ++l) {
         reach[l] = (radius + this->radius(disks[j[l]])) * wider;
       }

@@ -9,7 +9,8 @@
 namespace carom::event {
 
 /// What the method is compiled for: the number it computes with and the law its balls fly by.
-/// Whether contacts can come to rest, balls rub, or some are fixed is asked where it matters.
+/// Whether contacts can come to rest, balls have friction, or some are fixed is asked where it
+/// matters.
 template <class S, template <class> class FlightLaw>
 struct Physics {
   using Scalar = S;

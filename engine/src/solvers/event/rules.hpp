@@ -10,7 +10,7 @@ namespace carom::event {
 
 /// Radius and mass, shared by all balls that have the same.
 template <class S>
-struct BasicKind {
+struct BasicSpecies {
   S radius = 0.5;
   S inverse_mass = 1;    ///< 0: fixed
   unsigned carried = 0;  ///< the axes along which something carries it: 1 for x, 2 for y
@@ -27,12 +27,12 @@ struct BasicRules {
   bool collisions = true;
   double restitution = 1;
   double wall_restitution = 1;
-  std::vector<BasicKind<S>> kinds{BasicKind<S>{}};
+  std::vector<BasicSpecies<S>> all_species{BasicSpecies<S>{}};
   double drag_rate = 0;
   double friction = 0;  ///< of balls with each other
   double wall_friction = 0;
   bool falls = false;  ///< gravity is an effect, be it 0 at present
-  bool spins = false;  ///< balls rub and so have a spin
+  bool spins = false;  ///< balls have friction and so have a spin
   bool rests = false;  ///< contacts can come to rest
 
   /// Gravity pulls along this axis, which is periodic.
@@ -43,7 +43,7 @@ struct BasicRules {
 
 /// Friction takes from the hops along one wall when the ball hits another that gravity presses it
 /// to.
-inline bool rubs_in_corners(double wall_friction, const std::array<double, 2>& gravity) {
+inline bool friction_in_corners(double wall_friction, const std::array<double, 2>& gravity) {
   return wall_friction > 0 && gravity[0] != 0 && gravity[1] != 0;
 }
 
@@ -52,10 +52,10 @@ template <class S>
 bool can_rest(const BasicRules<S>& rules) {
   const bool falls = rules.gravity[0] != 0 || rules.gravity[1] != 0;
   return rules.wall_restitution < 1 || (rules.collisions && rules.restitution < 1) ||
-         (rules.drag_rate > 0 && falls) || rubs_in_corners(rules.wall_friction, rules.gravity);
+         (rules.drag_rate > 0 && falls) || friction_in_corners(rules.wall_friction, rules.gravity);
 }
 
-using Kind = BasicKind<double>;
+using Species = BasicSpecies<double>;
 using Rules = BasicRules<double>;
 
 }  // namespace carom::event

@@ -10,7 +10,7 @@ namespace carom::event {
 
 /// Wall-clock seconds of what effects do.
 struct Costs {
-  double collisions = 0;  ///< pairs: who meets next, impacts between balls, crowds
+  double collisions = 0;  ///< pairs: who meets next, impacts between balls, islands
   double walls = 0;       ///< when a ball meets a wall, and impacts there
   double friction = 0;    ///< of single impacts
   double bending = 0;     ///< of flights, to their impacts, by gravity and drag
@@ -60,7 +60,7 @@ struct TimedEvent {
   S other_spin = 0;
   Disk after;
   typename P::Time until = P::Clock::never();  ///< the next event
-  bool spins = false;                          ///< balls rub
+  bool spins = false;                          ///< balls have friction
 };
 
 /// What is not the pairs' in an event is small, and mixed with it in the code: it is done once
@@ -99,7 +99,7 @@ template <class P>
     const int side = (event.partner - kWalls) % 2 == 0 ? 1 : -1;
     const S arrival = side * (axis == 0 ? disk.vx : disk.vy);
     costs.friction = seconds_of([&] {
-      motion.rub_wall(disk, event.spin, axis, side, arrival);
+      motion.apply_wall_friction(disk, event.spin, axis, side, arrival);
       use(disk);
     });
     costs.walls = std::max(0.0, costs.walls - costs.friction);
@@ -108,7 +108,7 @@ template <class P>
     if (both) motion.carry(other, now);
     const Vec<S> r = motion.way({disk.x, disk.y}, {other.x, other.y});
     costs.friction = seconds_of([&] {
-      motion.rub(disk, event.spin, other, event.other_spin, r);
+      motion.apply_friction(disk, event.spin, other, event.other_spin, r);
       use(disk);
       use(other);
     });

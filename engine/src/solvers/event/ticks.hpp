@@ -41,7 +41,7 @@ class Clock<double> {
   static constexpr Time ever() { return kEver; }
   static constexpr Time longest_flight() { return kLongestFlight; }
   /// Time is counted anew after so many ticks.
-  static constexpr Time era() { return Time{1} << 60; }
+  static constexpr Time epoch() { return Time{1} << 60; }
 
   Clock() = default;
   /// REQUIRES: `crossing` > 0, the shortest time in which something crosses the box.

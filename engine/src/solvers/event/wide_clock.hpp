@@ -22,7 +22,7 @@ class Clock<WideNumber> {
   static Time never() { return S::infinity(); }
   static Time ever() { return -power(S::bits() - 1); }
   static Time longest_flight() { return power(S::bits() - 2); }
-  static Time era() { return power(S::bits() - 3); }
+  static Time epoch() { return power(S::bits() - 3); }
 
   static int bits() { return S::bits() - 8; }
 

@@ -3,14 +3,14 @@
 #include <utility>
 
 #include "numbers/wide_number.hpp"
-#include "solvers/event/tile_core.hpp"
+#include "solvers/event/loop_core.hpp"
 #include "solvers/event/wide_physics.hpp"
 
 namespace carom::event {
 
 WideCore::WideCore(CoreStart start, int digits) : digits_(digits) {
   const WidePrecision precision(digits_);
-  core_ = std::make_unique<TileCore<WidePhysics>>(std::move(start));
+  core_ = std::make_unique<LoopCore<WidePhysics>>(std::move(start));
 }
 
 std::vector<Phase> WideCore::phases() {

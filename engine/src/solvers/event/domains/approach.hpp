@@ -80,8 +80,8 @@ class Approach {
     const Lanes time = (-along - square_root(discriminant)) / square;
     // They still come nearer, or all but.
     const Lanes nearer = fused(square, now, along) - slack_ * (absolute(ux) + absolute(uy));
-    return (discriminant > zero) & (nearer < zero) ? time
-                                                   : all(std::numeric_limits<double>::infinity());
+    return ((discriminant > zero) & (nearer < zero)) ? time
+                                                     : all(std::numeric_limits<double>::infinity());
   }
 
   /// The least of the bounds of many, whose it is, and the least of the others.

@@ -14,7 +14,7 @@ struct BlockFlight {
   double vy = 0;
   Ticks start = 0;
   Index ball = 0;
-  Index kind = 0;
+  Index species = 0;
 
   /// The same as what an event loop works with; nothing is known of its end.
   template <class Disk>
@@ -25,12 +25,12 @@ struct BlockFlight {
     disk.vx = vx;
     disk.vy = vy;
     disk.start = start;
-    disk.kind = kind;
+    disk.species = species;
     return disk;
   }
   template <class Disk>
   static BlockFlight of(const Disk& disk, Index ball) {
-    return {disk.x, disk.y, disk.vx, disk.vy, disk.start, ball, disk.kind};
+    return {disk.x, disk.y, disk.vx, disk.vy, disk.start, ball, disk.species};
   }
 };
 static_assert(sizeof(BlockFlight) == 48);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "solvers/event/agenda_body.hpp"
 #include "solvers/event/domains/domain_flight_body.hpp"
 #include "solvers/event/domains/domain_load_body.hpp"
 #include "solvers/event/domains/domain_loop_body.hpp"
@@ -8,6 +7,7 @@
 #include "solvers/event/domains/domains_body.hpp"
 #include "solvers/event/domains/domains_halo_body.hpp"
 #include "solvers/event/domains/domains_start_body.hpp"
+#include "solvers/event/event_queue_body.hpp"
 #include "solvers/event/motion_body.hpp"
 #include "solvers/event/motion_rest_body.hpp"
 #include "solvers/event/physics.hpp"

@@ -21,8 +21,8 @@ DomainLoop<P>::DomainLoop(const Motion<P>& motion, double normal_radius)
       bends_(motion.bends()),
       approach_({0, 0}, 1, nullptr, 0) {
   smallest_radius_ = never<double>();
-  for (const auto& kind : motion.rules().kinds) {
-    smallest_radius_ = std::min(smallest_radius_, kind.radius);
+  for (const auto& species : motion.rules().all_species) {
+    smallest_radius_ = std::min(smallest_radius_, species.radius);
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
     periods_[axis] = motion.rules().domain.period[axis];
@@ -82,7 +82,7 @@ void DomainLoop<P>::load(Index memory, bool own) {
       const double inside = std::clamp(at[axis], window_.lowest[axis], window_.highest[axis]);
       distance = std::max(distance, std::abs(inside) - window_.own[axis]);
     }
-    distance -= std::max(0.0, motion_.rules().kinds[flight.kind].radius - normal_radius_);
+    distance -= std::max(0.0, motion_.rules().all_species[flight.species].radius - normal_radius_);
     ball.distance = static_cast<float>(distance);
     if (distance > window_.full) {
       const double part = (window_.reach - distance) / (window_.reach - window_.full);
@@ -106,7 +106,7 @@ bool DomainLoop<P>::start() {
   search_.reset(n, window_.loaded, wrapped, near_);
   queue_.reset(n, window_.until - window_.from + 1, window_.collisions / 2);
   lists_.reset(n);
-  mixed_ = !motion_.one_kind();
+  mixed_ = !motion_.one_species();
   sort_into_slots();
   const double slack = kSlackOfRadius * smallest_radius_ +
                        kSlackOfBox * (std::abs(window_.middle[0]) + window_.loaded[0] +
@@ -147,7 +147,7 @@ void DomainLoop<P>::sort_into_slots() {
     side.limit = ball.limit;
     side.own = ball.own ? 1 : 0;
     side.fixed = motion_.fixed(disk) ? 1 : 0;
-    const double r = motion_.kind(disk).radius;
+    const double r = motion_.species(disk).radius;
     trips_[k] = {static_cast<float>(ball.path.x), static_cast<float>(ball.path.y), 0, ball.distance,
                  ball.memory};
     if (!spins_.empty()) spins_[k] = flight_spins_[ball.memory];

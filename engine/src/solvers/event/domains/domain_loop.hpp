@@ -38,11 +38,11 @@ struct DomainWindow {
 ///
 /// A ball keeps the earliest event that it is known to have; where its partner changes before, it
 /// looks again then.  A pair is queued at a quick lower bound of its time (Approach).  Its exact
-/// time, the same pure function that Tile uses, is worked out when that comes up, which for most
-/// predictions is never.
+/// time, the same pure function that EventLoop uses, is worked out when that comes up, which for
+/// most predictions is never.
 ///
 /// What is rare is not done here: impacts of one instant that share a ball, or that are passed on
-/// at once.  Then the window is to be solved by Tile from the same flights.
+/// at once.  Then the window is to be solved by EventLoop from the same flights.
 ///
 /// Source: B. Lubachevsky, J. Comput. Phys. 94 (1991) 255: one event a ball.
 template <class P>
@@ -148,7 +148,7 @@ class DomainLoop {
   [[nodiscard]] double seconds(Ticks time) const {
     return motion_.rules().scale.seconds(time - window_.from);
   }
-  [[nodiscard]] double radius(Slot i) const { return motion_.kind(disks_[i]).radius; }
+  [[nodiscard]] double radius(Slot i) const { return motion_.species(disks_[i]).radius; }
   [[nodiscard]] double* spin_of(Slot i) { return spins_.empty() ? nullptr : &spins_[i]; }
   [[nodiscard]] Vec<double> place(Slot i, Ticks now) const;
   [[nodiscard]] Vec<double> velocity(Slot i, Ticks now) const;

@@ -8,7 +8,7 @@ namespace carom::event {
 
 template <class P>
 bool DomainLoop<P>::advance_to(Ticks until) {
-  // So many are none of a window; Tile tells whether they end.
+  // So many are none of a window; EventLoop tells whether they end.
   const std::uint64_t most = tally_.events + 1000000 + 1000 * disks_.size();
   for (Slot i = queue_.first(until - window_.from); i != kNoSlot && !unusual_;
        i = queue_.first(until - window_.from)) {

@@ -12,7 +12,7 @@
 #include "solvers/event/domains/block_flight.hpp"
 #include "solvers/event/domains/blocks.hpp"
 #include "solvers/event/domains/domain_loop.hpp"
-#include "solvers/event/tile.hpp"
+#include "solvers/event/event_loop.hpp"
 
 namespace carom::event {
 
@@ -42,8 +42,8 @@ inline constexpr double kCollisionsOfOneDomain = 8;
 /// the true thing, against the assumption.  What shares an instant is not done by domains at all.
 /// Halos, windows and domains come in nowhere: they decide what it costs.
 ///
-/// A window in which impacts share an instant and a ball is solved by one Tile of all balls, from
-/// the same flights.
+/// A window in which impacts share an instant and a ball is solved by one EventLoop of all balls,
+/// from the same flights.
 ///
 /// With few balls and one worker there is one domain without a halo; its window goes on over
 /// frames.
@@ -147,7 +147,7 @@ class Domains {
   [[nodiscard]] std::size_t end_window();
   void adapt(double halves);
   void limit_window();
-  void solve_by_tile();
+  void solve_by_one_loop();
   void close_window();
   void add_tally(const typename DomainLoop<P>::Tally& tally);
   void number_balls() const;
@@ -189,7 +189,7 @@ class Domains {
   bool counted_ = false;
   bool open_ = false;  ///< one domain: its window is not at its end
   bool full_ = false;  ///< it is not the aim that ends the window
-  bool by_tile_ = false;
+  bool by_one_loop_ = false;
   bool stuck_ = false;
   double speed_ = 0;    ///< how far the balls of a window went, by its time: the farthest
   double pyramid_ = 0;  ///< how wide halos are beyond those followed to the end, spacings

@@ -13,7 +13,7 @@ namespace carom::event {
 inline constexpr double kFarthest = 1.4;
 // No more share the sorting of flights.
 inline constexpr std::size_t kMostSorters = 16;
-// Windows solved by a tile count so much more than others; with so many, domains do not pay.
+// Windows solved by an event loop count so much more than others; with so many, domains do not pay.
 inline constexpr std::uint32_t kOddWindow = 8;
 inline constexpr std::uint32_t kTooManyOdd = 64;
 
@@ -40,7 +40,7 @@ template <class P>
 std::size_t Domains<P>::begin_window() {
   memory_.clear();
   from_ = now_;
-  by_tile_ = false;
+  by_one_loop_ = false;
   // One domain alone may look beyond the aim.
   full_ = alone() || window_ <= target_ - now_;
   until_ = full_ ? now_ + window_ : target_;
@@ -77,8 +77,8 @@ void Domains<P>::work(std::size_t phase, Share share) {
     return;
   }
   const Stopwatch stopwatch(true, desk.seconds);
-  if (by_tile_) {
-    if (share.index == 0) solve_by_tile();
+  if (by_one_loop_) {
+    if (share.index == 0) solve_by_one_loop();
   } else if (alone()) {
     if (share.index == 0) solve_alone(desk);
   } else if (phase == kSolve) {
@@ -101,15 +101,15 @@ std::size_t Domains<P>::finish(std::size_t phase) {
     counted_ = true;
     return kSort;
   }
-  if (by_tile_) {
-    by_tile_ = false;
+  if (by_one_loop_) {
+    by_one_loop_ = false;
     return end_window();
   }
   if (phase == kCheck) return judge();
   bool unusual = false;
   for (const std::size_t k : to_solve_) unusual = unusual || regions_[k].unusual;
   if (unusual) {
-    by_tile_ = true;
+    by_one_loop_ = true;
     open_ = false;
     memory_.clear();
     until_ = std::min(until_, target_);
@@ -166,7 +166,7 @@ void Domains<P>::add_tally(const typename DomainLoop<P>::Tally& tally) {
   counts_.ball_wall += tally.walls;
   counts_.scans += tally.scans;
   counts_.renewals += tally.renewals;
-  counts_.vain += tally.stale;
+  counts_.stale += tally.stale;
   counts_.max_overlap = std::max(counts_.max_overlap, tally.max_overlap);
   for (const double lost : tally.lost) lost_.add(lost);
 }
@@ -195,21 +195,21 @@ void Domains<P>::limit_window() {
 }
 
 template <class P>
-void Domains<P>::solve_by_tile() {
+void Domains<P>::solve_by_one_loop() {
   const std::size_t n = flights_.size();
   std::vector<Disk> disks(n);
   for (std::size_t k = 0; k < n; ++k) disks[k] = flights_[k].template disk<Disk>();
-  Tile<P> tile(motion_, n);
-  tile.reset(disks, from_, {}, spins_);
-  tile.advance_to(until_);
+  EventLoop<P> loop(motion_, n);
+  loop.reset(disks, from_, {}, spins_);
+  loop.advance_to(until_);
   for (std::size_t k = 0; k < n; ++k) {
-    next_[k] = BlockFlight::of(tile.disks()[k], flights_[k].ball);
+    next_[k] = BlockFlight::of(loop.disks()[k], flights_[k].ball);
   }
-  if (!spins_.empty()) next_spins_ = tile.spins();
-  counts_ += tile.counts();
+  if (!spins_.empty()) next_spins_ = loop.spins();
+  counts_ += loop.counts();
   // What drag takes follows from the time alone, and nothing else loses energy beside it.
   if (motion_->rules().drag_rate > 0) return;
-  for (const double lost : tile.take_lost()) lost_.add(lost);
+  for (const double lost : loop.take_lost()) lost_.add(lost);
 }
 
 template <class P>

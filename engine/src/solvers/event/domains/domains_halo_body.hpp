@@ -66,7 +66,7 @@ void Domains<P>::find_large() {
   if (!(motion_->largest_radius() > normal_radius_)) return;
   for (std::size_t b = 0; b < blocks_->all(); ++b) {
     for (Index k = starts_[b]; k < starts_[b + 1]; ++k) {
-      if (motion_->rules().kinds[flights_[k].kind].radius > normal_radius_) {
+      if (motion_->rules().all_species[flights_[k].species].radius > normal_radius_) {
         large_.push_back({k, static_cast<int>(b)});
       }
     }
@@ -133,8 +133,10 @@ void Domains<P>::solve(Region& region, Desk& desk) {
 
 template <class P>
 void Domains<P>::load_halo(const Region& region, DomainLoop<P>& domain) const {
-  const auto& kinds = motion_->rules().kinds;
-  const auto is_large = [&](Index k) { return kinds[flights_[k].kind].radius > normal_radius_; };
+  const auto& all_species = motion_->rules().all_species;
+  const auto is_large = [&](Index k) {
+    return all_species[flights_[k].species].radius > normal_radius_;
+  };
   struct Line {
     int first;
     int last;
@@ -193,7 +195,7 @@ void Domains<P>::keep(Region& region, DomainLoop<P>& domain) {
       if (alone()) continue;
       outcomes_[memory] = {domain.history(k), domain.displacement(k)};
       region.displacement = std::max(region.displacement, outcomes_[memory].displacement);
-      region.radius = std::max(region.radius, motion_->kind(disk).radius);
+      region.radius = std::max(region.radius, motion_->species(disk).radius);
     } else {
       region.ghosts.push_back({domain.history(k), memory, domain.distance(k), domain.followed(k)});
     }

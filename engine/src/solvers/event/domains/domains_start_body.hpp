@@ -53,26 +53,27 @@ void Domains<P>::reset(const std::vector<Disk>& flights, Ticks now,
 // All but the largest few balls are normal.
 template <class P>
 void Domains<P>::choose_radii(const std::vector<Disk>& flights) {
-  const auto& kinds = motion_->rules().kinds;
-  std::vector<std::size_t> count(kinds.size(), 0);
+  const auto& all_species = motion_->rules().all_species;
+  std::vector<std::size_t> count(all_species.size(), 0);
   double diameters = 0;
   for (const Disk& disk : flights) {
-    ++count[disk.kind % kinds.size()];
-    diameters += 2 * kinds[disk.kind % kinds.size()].radius;
+    ++count[disk.species % all_species.size()];
+    diameters += 2 * all_species[disk.species % all_species.size()].radius;
   }
   std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
+  for (std::size_t k = 0; k < all_species.size(); ++k) {
     if (count[k] > 0) order.push_back(k);
   }
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return kinds[a].radius > kinds[b].radius; });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return all_species[a].radius > all_species[b].radius;
+  });
   std::size_t few = std::max<std::size_t>(64, flights.size() / 100);
   normal_radius_ = 0;
   const double mean = diameters / static_cast<double>(std::max<std::size_t>(flights.size(), 1));
   for (const std::size_t k : order) {
-    normal_radius_ = kinds[k].radius;
+    normal_radius_ = all_species[k].radius;
     // They take no room worth a list of their own.
-    if (count[k] > few || kinds[k].radius < mean) break;
+    if (count[k] > few || all_species[k].radius < mean) break;
     few -= count[k];
   }
   skin_ = kSkinOfDiameter * mean + kSkinOfGap * std::max(spacing_ - mean, 0.0);
@@ -91,7 +92,7 @@ void Domains<P>::guess_window(const std::vector<Disk>& flights) {
   double covered = 0;
   for (const Disk& disk : flights) {
     const double v = disk.vx * disk.vx + disk.vy * disk.vy;
-    const double r = motion_->kind(disk).radius;
+    const double r = motion_->species(disk).radius;
     square += v;
     fastest = std::max(fastest, v);
     diameters += 2 * r;
@@ -102,8 +103,8 @@ void Domains<P>::guess_window(const std::vector<Disk>& flights) {
   const double gravity = std::hypot(rules.gravity[0], rules.gravity[1]);
   const double speed = std::sqrt(square / n + gravity * spacing_);
   const double packing = std::min(covered / (spacing_ * spacing_ * n), 0.8);
-  const double crowd = (1 - packing / 2) / ((1 - packing) * (1 - packing));
-  const double rate = 3 * speed * (diameters / n) / (spacing_ * spacing_) * crowd;
+  const double island = (1 - packing / 2) / ((1 - packing) * (1 - packing));
+  const double rate = 3 * speed * (diameters / n) / (spacing_ * spacing_) * island;
   const Ticks most = kLongestFlight / 64;
   window_ = rate > 0 ? rules.scale.ticks(collisions_of_window() / rate) : most;
   if (rules.drag_rate > 0) {

@@ -57,7 +57,7 @@ class NearSearch {
                                                             std::uint32_t k) const {
 #if defined(__AVX__) && defined(__FMA__)
     constexpr int kNearest = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
-    const auto way = [kNearest](float at, const float* others, float period, float per) {
+    const auto way = [](float at, const float* others, float period, float per) {
       const __m256 d = _mm256_sub_ps(_mm256_set1_ps(at), _mm256_loadu_ps(others));
       const __m256 turns = _mm256_round_ps(_mm256_mul_ps(d, _mm256_set1_ps(per)), kNearest);
       return _mm256_fnmadd_ps(_mm256_set1_ps(period), turns, d);

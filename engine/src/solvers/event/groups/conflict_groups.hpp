@@ -12,9 +12,9 @@
 #include "contact/impact_log.hpp"
 #include "contact/rest_rules.hpp"
 #include "numbers/exact_sum.hpp"
+#include "solvers/event/event_loop.hpp"
 #include "solvers/event/groups/path.hpp"
 #include "solvers/event/groups/region_pairs.hpp"
-#include "solvers/event/tile.hpp"
 
 namespace carom::event {
 
@@ -71,7 +71,7 @@ class ConflictGroups {
   void limit_window(At longest) { longest_ = longest; }
   /// Whether impacts are noted.
   void note_impacts(bool wanted) { notes_ = wanted; }
-  /// Adds the impacts of the windows that have ended: times of the present era, `event` the same
+  /// Adds the impacts of the windows that have ended: times of the present epoch, `event` the same
   /// for the contacts of a joint one, else 0.
   void take_impacts(std::vector<Impact>& impacts);
   /// Gives the number of the phase to start with, Phase::kFrameDone where `until` is now.
@@ -128,7 +128,7 @@ class ConflictGroups {
     bool lasts = false;  ///< the second
   };
   struct alignas(128) Desk {
-    std::unique_ptr<Tile<P>> tile;
+    std::unique_ptr<EventLoop<P>> loop;
     Paths<P> paths;
     std::vector<Segment<P>> first;
     std::vector<Disk> flights;
@@ -189,9 +189,9 @@ class ConflictGroups {
 
   DisjointSets groups_;
   DisjointSets clusters_;
-  std::vector<Encounter> supports_;       ///< balls and the fixed balls they touch, in order
-  std::vector<std::vector<Index>> pegs_;  ///< fixed balls of a group, by its root
-  std::vector<Group> dirty_;              ///< to be solved
+  std::vector<Encounter> supports_;              ///< balls and the fixed balls they touch, in order
+  std::vector<std::vector<Index>> fixed_disks_;  ///< fixed balls of a group, by its root
+  std::vector<Group> dirty_;                     ///< to be solved
   std::vector<char> is_dirty_;
   std::vector<char> lasts_;  ///< by root: a contact that lasts has brought the group together
   bool notes_ = false;

@@ -37,12 +37,12 @@ void ConflictGroups<P>::reset(const std::vector<Disk>& flights, At now,
   fixed_.assign(n, 0);
   radii_.resize(n);
   regions_.resize(n);
-  pegs_.assign(n, {});
+  fixed_disks_.assign(n, {});
   is_dirty_.assign(n, 0);
   lasts_.assign(n, 0);
   noted_.clear();
   lost_.clear();
-  double leant = 0;
+  double supported_loss = 0;
   movers_.clear();
   listed_ = false;
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -52,7 +52,7 @@ void ConflictGroups<P>::reset(const std::vector<Disk>& flights, At now,
   for (std::size_t i = 0; i < n; ++i) {
     Disk flight = flights[i];
     S spin = spins.empty() ? S(0) : spins[i];
-    radii_[i] = static_cast<double>(motion_->kind(flight).radius);
+    radii_[i] = static_cast<double>(motion_->species(flight).radius);
     if (motion_->fixed(flight)) {
       fixed_[i] = 1;
       flight.start = P::Clock::ever();
@@ -60,15 +60,15 @@ void ConflictGroups<P>::reset(const std::vector<Disk>& flights, At now,
       movers_.push_back(static_cast<Index>(i));
       const unsigned carried = motion_->carried(flight);
       if (motion_->hops() && carried != kLying && carried < kResting && flight.start == now_) {
-        leant +=
-            std::max(motion_->lean_on_walls(flight, motion_->rules().spins ? &spin : nullptr), 0.0);
+        supported_loss += std::max(
+            motion_->support_on_walls(flight, motion_->rules().spins ? &spin : nullptr), 0.0);
       }
     }
     tracks_[i].first = {flight, left.empty() ? kUnknown : left[i], spin};
     tracks_[i].path.push_back(tracks_[i].first);
     set_box(static_cast<Index>(i));
   }
-  if (leant != 0) lost_.add(leant);
+  if (supported_loss != 0) lost_.add(supported_loss);
   measure_window();
   window_ = usual_;
 }
@@ -135,7 +135,7 @@ void ConflictGroups<P>::work(std::size_t phase, Share share) {
       desk.outside = false;
       for (std::size_t k = share.index; k < dirty_.size(); k += share.count) {
         const Index root = dirty_[k].root;
-        desk.members = pegs_[root];
+        desk.members = fixed_disks_[root];
         groups_.each(root, [&](Index i) { desk.members.push_back(i); });
         solve(root, desk);
       }
@@ -195,12 +195,12 @@ bool ConflictGroups<P>::flies_on(const Segment<P>& segment) const {
 // keep their order.
 template <class P>
 void ConflictGroups<P>::solve(Index root, Desk& desk) {
-  if (!desk.tile) desk.tile = std::make_unique<Tile<P>>(motion_, tracks_.size());
+  if (!desk.loop) desk.loop = std::make_unique<EventLoop<P>>(motion_, tracks_.size());
   std::vector<Index>& members = desk.members;
   const std::size_t moving = members.size();
   for (std::size_t k = 0; k < moving; ++k) {
-    const Index peg = tracks_[members[k]].first.left;
-    if (peg != kUnknown) members.push_back(peg);
+    const Index fixed_disk = tracks_[members[k]].first.left;
+    if (fixed_disk != kUnknown) members.push_back(fixed_disk);
   }
   std::sort(members.begin(), members.end());
   members.erase(std::unique(members.begin(), members.end()), members.end());
@@ -220,21 +220,21 @@ void ConflictGroups<P>::solve(Index root, Desk& desk) {
     desk.spins.push_back(first.spin);
     desk.first.push_back({first.flight, desk.lefts.back(), first.spin});
   }
-  Tile<P>& tile = *desk.tile;
+  EventLoop<P>& loop = *desk.loop;
   desk.paths.reset(desk.first);
-  tile.record(&desk.paths);
-  tile.reset(desk.flights, now_, desk.lefts, desk.spins);
-  (void)tile.take_counts();
-  (void)tile.take_lost();
+  loop.record(&desk.paths);
+  loop.reset(desk.flights, now_, desk.lefts, desk.spins);
+  (void)loop.take_counts();
+  (void)loop.take_lost();
   desk.log.impacts.clear();
-  tile.note_in(notes_ ? &desk.log : nullptr);
-  tile.advance_to(until_);
+  loop.note_in(notes_ ? &desk.log : nullptr);
+  loop.advance_to(until_);
   for (std::size_t k = 0; k < members.size(); ++k) {
     const Index i = members[k];
     if (fixed_[i] != 0) continue;
     Track& track = tracks_[i];
     track.path.assign(desk.paths[k].begin(), desk.paths[k].end());
-    track.path.back().left = tile.left(static_cast<Index>(k));
+    track.path.back().left = loop.left(static_cast<Index>(k));
     for (Segment<P>& segment : track.path) {
       if (segment.left != kUnknown) segment.left = members[segment.left];
     }
@@ -244,13 +244,13 @@ void ConflictGroups<P>::solve(Index root, Desk& desk) {
     track.impacts.clear();
     desk.solved.push_back(i);
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      if (!tile.turns()[axis].empty()) track.turns[axis] = tile.turns()[axis][k];
+      if (!loop.turns()[axis].empty()) track.turns[axis] = loop.turns()[axis][k];
     }
     set_box(i);
     if (!regions_[i].contains(track.box, motion_->rules().domain.period)) desk.outside = true;
   }
-  tracks_[root].counts = tile.take_counts();
-  tracks_[root].lost = tile.take_lost();
+  tracks_[root].counts = loop.take_counts();
+  tracks_[root].lost = loop.take_lost();
   for (Impact& impact : desk.log.impacts) {
     impact.a = members[impact.a];
     if (impact.b != Impact::kNoBall) impact.b = members[impact.b];
@@ -280,11 +280,11 @@ void ConflictGroups<P>::set_box(Index ball) {
     const Time to = k + 1 < path.size() ? path[k + 1].flight.start : until_;
     const Flight<S> begins = motion_->at(disk, from);
     const Vec<S> ends = motion_->place(disk, to);
-    const double span = static_cast<double>(motion_->rules().scale.seconds(to - from));
+    const auto span = static_cast<double>(motion_->rules().scale.seconds(to - from));
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const S& v = axis == 0 ? begins.velocity.x : begins.velocity.y;
-      double at = static_cast<double>(axis == 0 ? begins.position.x : begins.position.y);
-      const double end = static_cast<double>(axis == 0 ? ends.x : ends.y);
+      auto at = static_cast<double>(axis == 0 ? begins.position.x : begins.position.y);
+      const auto end = static_cast<double>(axis == 0 ? ends.x : ends.y);
       const double way = end - at;
       if (k > 0 && domain.period[axis] > 0) {
         shift[axis] = domain.period[axis] * std::rint((last[axis] - at) / domain.period[axis]);
@@ -363,7 +363,7 @@ std::size_t ConflictGroups<P>::merge() {
       hit.push_back(pair.first);
       if (pair.lasts) lasts_[pair.first] = 1;
       if (fixed_[pair.second] != 0) {
-        pegs_[groups_.find(pair.first)].push_back(pair.second);
+        fixed_disks_[groups_.find(pair.first)].push_back(pair.second);
         continue;
       }
       join(pair.first, pair.second);
@@ -377,9 +377,9 @@ std::size_t ConflictGroups<P>::merge() {
     const Index root = groups_.find(i);
     if (is_dirty_[root] != 0) continue;
     is_dirty_[root] = 1;
-    std::vector<Index>& pegs = pegs_[root];
-    std::sort(pegs.begin(), pegs.end());
-    pegs.erase(std::unique(pegs.begin(), pegs.end()), pegs.end());
+    std::vector<Index>& fixed_disks = fixed_disks_[root];
+    std::sort(fixed_disks.begin(), fixed_disks.end());
+    fixed_disks.erase(std::unique(fixed_disks.begin(), fixed_disks.end()), fixed_disks.end());
     std::size_t size = 0;
     bool lasting = false;
     groups_.each(root, [&](Index k) {
@@ -413,8 +413,8 @@ void ConflictGroups<P>::join(Index i, Index j) {
   const Index other = groups_.find(j);
   if (!groups_.merge(one, other)) return;
   const Index root = groups_.find(one);
-  std::vector<Index>& from = pegs_[root == one ? other : one];
-  pegs_[root].insert(pegs_[root].end(), from.begin(), from.end());
+  std::vector<Index>& from = fixed_disks_[root == one ? other : one];
+  fixed_disks_[root].insert(fixed_disks_[root].end(), from.begin(), from.end());
   from.clear();
 }
 
@@ -425,7 +425,7 @@ void ConflictGroups<P>::close(Index ball) {
     const auto first =
         std::lower_bound(supports_.begin(), supports_.end(), Encounter{i, 0}, before);
     for (auto at = first; at != supports_.end() && at->first == i; ++at) {
-      pegs_[groups_.find(i)].push_back(at->second);
+      fixed_disks_[groups_.find(i)].push_back(at->second);
     }
     if (clusters_.alone(i)) return;
     clusters_.each(i, [&](Index k) { join(i, k); });
@@ -454,7 +454,7 @@ std::size_t ConflictGroups<P>::end_window() {
       track.counts = {};
       track.turns = {0, 0};
       track.changed = false;
-      pegs_[i].clear();
+      fixed_disks_[i].clear();
     }
     desk.solved.clear();
   }
@@ -482,7 +482,7 @@ void ConflictGroups<P>::take_impacts(std::vector<Impact>& impacts) {
 
 template <class P>
 void ConflictGroups<P>::rebase(At by) {
-  const Time shift = by;
+  const Time& shift = by;
   for (Track& track : tracks_) {
     if (track.first.flight.start != P::Clock::ever()) track.first.flight.start -= shift;
     for (Segment<P>& segment : track.path) {
@@ -498,7 +498,7 @@ template <class P>
 Costs ConflictGroups<P>::costs() const {
   Costs costs;
   for (const Desk& desk : desks_) {
-    if (desk.tile) costs += desk.tile->costs();
+    if (desk.loop) costs += desk.loop->costs();
     costs.collisions += desk.pair_seconds;
     costs.walls += desk.wall_seconds;
   }
@@ -517,7 +517,7 @@ double ConflictGroups<P>::given_ahead(At now) const {
     const Disk& disk = flight(i);
     if (motion_->carried(disk) != kStepped) continue;
     sum += static_cast<double>(
-        S(span * (g.x * disk.vx + g.y * disk.vy) / motion_->kind(disk).inverse_mass));
+        S(span * (g.x * disk.vx + g.y * disk.vy) / motion_->species(disk).inverse_mass));
   }
   return sum;
 }
@@ -531,7 +531,7 @@ void ConflictGroups<P>::wake_around(std::size_t ball, At now) {
     Disk& disk = tracks_[j].path.back().flight;
     if (j == ball) continue;
     if (motion_->carried(disk) != kResting && motion_->carried(disk) != kLying) continue;
-    const S reach = motion_->kind(gone).radius + motion_->kind(disk).radius;
+    const S reach = motion_->species(gone).radius + motion_->species(disk).radius;
     if (!near(motion_->way(here, motion_->place(disk, now)), reach, S(kNear))) continue;
     motion_->set_carried(disk, kJoins);
   }

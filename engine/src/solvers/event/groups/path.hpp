@@ -9,7 +9,7 @@
 namespace carom::event {
 
 /// One flight of a path, the fixed ball at which it began, kUnknown where there is none, and the
-/// spin that it has, 0 where balls do not rub.
+/// spin that it has, 0 where balls have no friction.
 template <class P>
 struct Segment {
   typename P::Disk flight;
@@ -45,7 +45,7 @@ class Paths {
     const typename P::Disk& a = one.flight;
     const typename P::Disk& b = other.flight;
     return a.start == b.start && a.x == b.x && a.y == b.y && a.vx == b.vx && a.vy == b.vy &&
-           a.kind == b.kind && one.left == other.left && one.spin == other.spin;
+           a.species == b.species && one.left == other.left && one.spin == other.spin;
   }
 
   std::vector<Path> paths_;

@@ -36,18 +36,18 @@ template <class P>
 bool ConflictGroups<P>::same_group(Index i, Index j) const {
   const Index group = groups_.look_up(i);
   if (fixed_[j] == 0) return group == groups_.look_up(j);
-  const std::vector<Index>& pegs = pegs_[group];
-  return std::find(pegs.begin(), pegs.end(), j) != pegs.end();
+  const std::vector<Index>& fixed_disks = fixed_disks_[group];
+  return std::find(fixed_disks.begin(), fixed_disks.end(), j) != fixed_disks.end();
 }
 
-// Balls of a crowd that moves, or is hit, are looked at with all that are near to them.
+// Balls of an island that moves, or is hit, are looked at with all that are near to them.
 template <class P>
 bool ConflictGroups<P>::lasts(Index i, Index j) const {
   if (!motion_->hops()) return false;
-  const auto crowded = [this](Index k) {
+  const auto in_island = [this](Index k) {
     const Path& path = tracks_[k].path;
     return fixed_[k] == 0 && std::any_of(path.begin(), path.end(), [this](const auto& segment) {
-             return motion_->crowded(segment.flight);
+             return motion_->in_island(segment.flight);
            });
   };
   const auto moves = [this](Index k) {
@@ -55,19 +55,19 @@ bool ConflictGroups<P>::lasts(Index i, Index j) const {
     return fixed_[k] == 0 &&
            (path.size() > 1 || motion_->carried(tracks_[k].first.flight) >= kStepped);
   };
-  return (crowded(i) || crowded(j)) && (moves(i) || moves(j));
+  return (in_island(i) || in_island(j)) && (moves(i) || moves(j));
 }
 
 // Whether a third ball that meets one of the two then has to do with the other.
 template <class P>
 bool ConflictGroups<P>::touch(Index i, Index j, const Disk& a, const Disk& b, At at) const {
-  const S reach = motion_->kind(a).radius + motion_->kind(b).radius;
+  const S reach = motion_->species(a).radius + motion_->species(b).radius;
   double part = kTouching;
   if (motion_->hops()) {
-    const auto crowded = [this](Index k, const Disk& disk) {
-      return fixed_[k] == 0 && motion_->crowded(disk);
+    const auto in_island = [this](Index k, const Disk& disk) {
+      return fixed_[k] == 0 && motion_->in_island(disk);
     };
-    if (crowded(i, a) || crowded(j, b)) part = kNear;
+    if (in_island(i, a) || in_island(j, b)) part = kNear;
   }
   return near(motion_->way(motion_->place(a, at), motion_->place(b, at)), reach, S(part));
 }

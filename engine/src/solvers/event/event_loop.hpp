@@ -1,0 +1,410 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "contact/cone_island.hpp"
+#include "contact/dissipation.hpp"
+#include "contact/impact_log.hpp"
+#include "contact/joint_impact.hpp"
+#include "contact/rest_rules.hpp"
+#include "solvers/event/disk.hpp"
+#include "solvers/event/energy_book.hpp"
+#include "solvers/event/event_queue.hpp"
+#include "solvers/event/groups/path.hpp"
+#include "solvers/event/huge_pages.hpp"
+#include "solvers/event/motion.hpp"
+#include "solvers/event/neighbours.hpp"
+#include "solvers/event/sampled_costs.hpp"
+#include "state/totals.hpp"
+
+namespace carom::event {
+
+// So many impacts within so short a time are none of losses that add up, nor of balls that are
+// jammed: those are 4e5 at most for a restitution of 0.9999.
+inline constexpr std::uint64_t kManyImpacts = 1000000;
+/// The same for elastic balls that gravity presses together, which nothing slows down: within 2^-10
+/// of the time in which something crosses the box.
+inline constexpr std::uint64_t kManyElastic = 256;
+inline constexpr int kElasticSpan = 10;
+inline constexpr std::int64_t kShortTicks = std::int64_t{1} << 30;
+/// Impacts of one ball at one instant of which later ones are not resolved together with the
+/// earlier ones.
+inline constexpr int kManyAtOnce = 256;
+/// How often balls are taken as jammed before time goes on.
+inline constexpr int kMostJams = 1000;
+inline constexpr int kMostDoublings = 12;
+
+/// What has happened so far.
+struct Counts {
+  std::uint64_t ball_ball = 0;
+  std::uint64_t ball_wall = 0;
+  std::uint64_t renewals = 0;       ///< squares left: neighbours listed anew
+  std::uint64_t scans = 0;          ///< searches for the next impact of a ball
+  std::uint64_t stale = 0;          ///< of them, because its partner had met another
+  std::uint64_t joint_impacts = 0;  ///< of several contacts at one instant
+  std::uint64_t jammed = 0;         ///< contacts without a gap, with speed across: see JointReport
+  std::uint64_t resting_contacts = 0;  ///< came to rest
+  std::uint64_t wakes = 0;             ///< islands at rest that were hit
+  std::uint64_t steps = 0;             ///< of islands
+  double max_overlap = 0;              ///< deepest overlap at an impact / smaller radius
+
+  Counts& operator+=(const Counts& other) {
+    ball_ball += other.ball_ball;
+    ball_wall += other.ball_wall;
+    renewals += other.renewals;
+    scans += other.scans;
+    stale += other.stale;
+    joint_impacts += other.joint_impacts;
+    jammed += other.jammed;
+    resting_contacts += other.resting_contacts;
+    wakes += other.wakes;
+    steps += other.steps;
+    max_overlap = std::max(max_overlap, other.max_overlap);
+    return *this;
+  }
+};
+
+/// Balls and their impacts in the order of time.
+///
+/// For each ball the earliest impact is kept that it is known to have; a pair is kept with the
+/// first of its balls that has nothing earlier.  Whoever takes a ball from its partner leaves the
+/// partner with a time before which nothing can happen to it, and that it is looked at again then.
+///
+/// Impacts of the same tick that share a ball, and those that a blow passes on to balls that touch,
+/// are resolved together, by rules that do not see an order.
+///
+/// Holds: for every pair, the earlier of the two balls' `meets` is not after their impact.
+/// Errors: std::runtime_error where impacts follow each other without time passing, or next to
+/// none.
+/// Source: B. Lubachevsky, How to simulate billiards and similar systems, J. Comput. Phys. 94
+/// (1991) 255: one event a ball; A. Donev, S. Torquato, F. Stillinger, J. Comput. Phys. 202 (2005)
+/// 737: lists of neighbours that events renew.
+template <class P>
+class EventLoop {
+ public:
+  using S = typename P::Scalar;
+  using Time = typename P::Time;
+  using At = typename P::At;
+  using Disk = typename P::Disk;
+
+  explicit EventLoop(BasicRules<S> rules);
+  /// Of some of `population` balls that others are of, too.
+  EventLoop(std::shared_ptr<const Motion<P>> motion, std::size_t population);
+  EventLoop(const EventLoop&) = delete;
+  EventLoop& operator=(const EventLoop&) = delete;
+
+  /// Takes these flights, the others are forgotten; `now` is not before any of their starts.
+  /// `left`: the fixed ball at which each flight began, kUnknown where there is none; empty:
+  /// nowhere.  `spins`: of the balls, where the rules have spins; empty: 0.
+  void reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left = {},
+             const std::vector<S>& spins = {});
+  /// Everything up to `until` has happened then.
+  void advance_to(At until);
+  /// Counts time from `by` ticks later on; nothing else changes.
+  void rebase(At by);
+
+  [[nodiscard]] const HugeVector<Disk>& disks() const { return disks_; }
+  /// Counter-clockwise, by ball; empty where the rules have none.
+  [[nodiscard]] const std::vector<S>& spins() const { return spins_; }
+  /// The fixed ball at which a flight began; kUnknown where there is none or it does not matter.
+  [[nodiscard]] Index left(Index i) const { return left_.empty() ? kUnknown : left_[i]; }
+  [[nodiscard]] const Motion<P>& motion() const { return motion_; }
+  [[nodiscard]] const Counts& counts() const { return counts_; }
+  /// What has happened since the last time this was asked.
+  [[nodiscard]] Counts take_counts() { return std::exchange(counts_, Counts{}); }
+  /// From now on every flight that begins is noted.  `paths` must outlive it.
+  void record(Paths<P>* paths) { paths_ = paths; }
+  /// How often each flight since `reset` was brought back round a periodic axis that gravity pulls
+  /// along; empty for other axes.
+  [[nodiscard]] const Turns& turns() const { return turns_; }
+  /// The energy that impacts since it was made have taken, and drag from flights that are over.
+  /// Terms of which it is the exact sum.
+  [[nodiscard]] const std::vector<double>& losses() const { return book_.parts(); }
+  /// The same since the last time this was asked, as terms of an exact sum.
+  [[nodiscard]] std::vector<double> take_lost() {
+    return std::exchange(book_, EnergyBook{}).parts();
+  }
+  /// From a sample of the events, scaled to all.
+  [[nodiscard]] Costs costs() const;
+
+  /// Where contacts rest: who rests on this ball, or carries it, moves again.
+  void wake_around(Index i, At now);
+  /// The energy that gravity has given to islands ahead of what they will have fallen at their next
+  /// step.
+  [[nodiscard]] double given_ahead(At now) const;
+
+  /// From now on every impact is noted, with its time since the present epoch began and the places
+  /// of its balls in this event loop; null: no longer.  The log must outlive it.
+  void note_in(ImpactLog* log) { log_ = log; }
+
+ private:
+  /// Whether several pairs are looked at side by side.
+  static constexpr bool kInLanes = kIsDouble<S>;
+  [[nodiscard]] S* spin(Index i) { return spins_.empty() ? nullptr : &spins_[i]; }
+  [[nodiscard]] const S* spin(Index i) const { return spins_.empty() ? nullptr : &spins_[i]; }
+  using Entry = typename EventQueue<typename P::Clock>::Entry;
+
+  struct SimultaneousImpact;
+  struct FoundIsland;
+
+  // The order of time: tile_body.hpp.
+  void next_event(Index i, At now);
+  void schedule(Index i) { queue_.add(disks_[i].due(), i); }
+  void start_event_queue(At now, double area);
+  void take(const Entry& entry);
+  [[nodiscard]] const Entry* first_event(At until);
+  void fetch(std::span<const Entry> entries, std::span<const Entry> next,
+             std::span<const Entry> after_next) const;
+
+  // What events cost: tile_cost_body.hpp.
+  void time_event(Index i, At now);
+
+  // Impacts: tile_impact_body.hpp.
+  void meet(Index i, At now);
+  [[nodiscard]] bool moves(Index partner) const {
+    return partner < kFirstMark && !motion_.fixed(disks_[partner]);
+  }
+  void meet_alone(Index i, Index partner, At now);
+  void forget(Index i);
+  void look_again(Index i, At now);
+  void end_flight(Index i, At now);
+  void count_turns(Index i, At now);
+  void watch(At now);
+
+  // What --events tells: tile_log_body.hpp.
+  /// `was`, `partner_was`: the flights before the impact.
+  void log_alone(Index i, Index partner, const Disk& was, const Disk& partner_was, double lost,
+                 At now);
+  /// What is known of a joint impact beside its outcome.
+  struct JointLog {
+    std::vector<Stroke<S>> strokes;
+    std::vector<carom::FrictionChange> by_friction;  ///< by contact; empty: there is no friction
+    double held = 0;                                 ///< see JointReport
+  };
+  void log_joint(const SimultaneousImpact& instant, const JointLog& joint, At now);
+  struct IslandLog {
+    std::vector<double> impulses;  ///< by contact
+    std::vector<char> counted;     ///< by contact: it is one of the impacts that are counted
+    double lost = 0;
+  };
+  void log_island(const FoundIsland& island, const IslandLog& log, At now);
+  /// The lines from `first` on tell together what was lost.
+  void log_loss(std::size_t first, double lost);
+  Impact& log_contact(At now, Index i, Index j, const Vec<S>& r);
+  /// Of a ball at rest that moves from now on.
+  void log_wake(Index i, At now);
+  void log_slides(Index i, At now);
+  /// What has slid by now goes into the log, where no impact of an instant is taken back any more.
+  void keep_slides();
+
+  // Whom a ball meets next: tile_search_body.hpp, tile_lanes_body.hpp.
+  void scan(Index i, At now);
+  /// What of `others` the ball meets before `best`.
+  void look_at(Index i, const Index* others, std::uint32_t count, At now, Meeting<P>& best) const;
+  /// Where some of them, or the ball itself, may be fixed or carried.
+  void look_at_mixed(Index i, const Index* others, std::uint32_t count, At now,
+                     Meeting<P>& best) const;
+  void look_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
+                     Meeting<P>& best) const requires kInLanes;
+  template <class Law>
+  void look_in_lanes_by(const Law& law, Index i, const Index* others, std::uint32_t count, At now,
+                        Meeting<P>& best) const requires kInLanes;
+  void look_singly(Index i, Index other, At now, Meeting<P>& best) const;
+  void look_at_fixed_disk(Index i, Index fixed_disk, Meeting<P>& best) const;
+  void look_alone(Index i, Meeting<P>& best) const;
+  void link(Index i, const Meeting<P>& best);
+  void unlink(Index i);
+
+  // Impacts of one instant that share a ball: loop_simultaneous_body.hpp.
+  /// A ball as it was before the impacts of the present instant.
+  struct Past {
+    Index ball;
+    Disk disk;
+    S spin;
+    Index left;
+  };
+  /// What resolving one group of balls did, beside their flights; of an instant, in turn.
+  struct Resolution {
+    int set;  ///< the first of those that share balls, or another that leads to it
+    Counts counts;
+    std::size_t kept;  ///< by the book
+    std::size_t log;
+    Counts counts_after;
+    std::size_t kept_after;
+    std::size_t log_after;
+  };
+  void begin_instant();
+  /// What is remembered, counted, kept and noted until the next end belongs to one group.
+  void begin_resolution();
+  void end_resolution();
+  [[nodiscard]] int set_of(Index i);
+  /// Counts an impact of the ball at the present instant; gives how many there are by now.
+  int count_hit(Index i) {
+    if (hits_[i]++ == 0) hit_.push_back(i);
+    return hits_[i];
+  }
+  [[nodiscard]] bool is_past(Index i) const { return resolution_of_[i] >= 0; }
+  void remember(Index i);
+  /// Takes back what was resolved with these balls at the present instant; adds the balls to them.
+  void take_back(std::vector<Index>& balls);
+  void take_back(const Resolution& resolution);
+  /// Whether the ball, looked at only now, meets at this instant one that has been hit at it; then
+  /// both wait to be resolved.
+  [[nodiscard]] bool is_late(Index i, At now);
+  [[nodiscard]] bool comes_nearer(Index i, Index partner, At now) const;
+  void note_tie(At at, Index i, Index other) const {
+    ties_.insert({at, i});
+    if (other != i) ties_.insert({at, other});
+  }
+  [[nodiscard]] bool tied(Index i, Index partner, At now);
+  [[nodiscard]] bool meets_another(Index i, Index partner, At now) const;
+  /// What meets at the present instant, as far as it is known: all of it at once, so that no order
+  /// of the balls shows.
+  void resolve_waiting();
+  [[nodiscard]] std::optional<bool> is_joint(Index i, Index partner, At now);
+  using Pair = std::pair<Index, Index>;  ///< a ball, and what it meets
+  void resolve_together(std::vector<Pair> alone, const std::vector<Pair>& joint, At now);
+  [[nodiscard]] std::vector<SimultaneousImpact> groups_of(std::vector<Index>& looked_for, At now);
+  void resolve_alone(Index i, Index partner, At now);
+  void look_again_at_changed(At now);
+  /// All that touches at this instant, over balls that can move, from these on; takes from `seeds`
+  /// those that it has found.
+  [[nodiscard]] SimultaneousImpact touching(std::vector<Index>& seeds, At now);
+  /// `looked_for`: the balls whose next impact is unknown.
+  void resolve_group(SimultaneousImpact& instant, const std::vector<Index>& looked_for, At now);
+  void note_left(const SimultaneousImpact& instant, At now);
+  [[nodiscard]] JointReport resolve(SimultaneousImpact& instant,
+                                    JointLog* log) const;  // tile_friction_body.hpp
+  /// Gives the energy that friction takes.
+  double apply_friction_jointly(SimultaneousImpact& instant, JointLog* log) const;
+  void add_member(SimultaneousImpact& instant, Index i, At now) const;
+  void add_contacts(SimultaneousImpact& instant, std::size_t member, At now);
+  void add_contact(SimultaneousImpact& instant, std::size_t member, Index j, At now, bool meets);
+  [[nodiscard]] bool is_linked(Index i, Index j) const;
+  /// Whether this contact was one of those resolved together at this instant: to resolve them again
+  /// would change nothing.
+  [[nodiscard]] bool is_resolved(Index i, Index j) const;
+  /// So near are balls that are taken as jammed, in parts of their contact's distance.
+  [[nodiscard]] double jam_gap() const {
+    return kTouching * std::ldexp(1.0, std::min(jams_ - 1, kMostDoublings));
+  }
+  /// What is taken as jammed in vain loses what its contacts have of speed.
+  [[nodiscard]] bool gives_up() const { return jams_ > kMostDoublings; }
+  [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;
+
+  // Contacts that rest: tile_rest_body.hpp.
+  void start_resting(At now);
+  void update_support(Index i);
+  void schedule_step(At now);
+  void settle(Index i, At now);
+  [[nodiscard]] bool is_of_island(const SimultaneousImpact& instant, At now) const;
+  // The balls of an island and their contacts: loop_island_search_body.hpp.
+  void put_at(FoundIsland& island, Vec<S>& at, std::size_t axis, const S& stop,
+              const S& inverse_mass) const;
+  void join(FoundIsland& island, Index i, At now);
+  void gather(FoundIsland& island, At now);
+  static void put_in_order(FoundIsland& island);
+  /// Gives what was lost.
+  double fly_on(FoundIsland& island, At now);
+
+  // What an island has: loop_island_energy_body.hpp.
+  struct IslandEnergy {
+    double stepped;
+    double ahead;
+    double others;
+    [[nodiscard]] double all() const { return stepped - ahead + others; }
+  };
+  [[nodiscard]] IslandEnergy energy_of(const FoundIsland& island, double span) const;
+  [[nodiscard]] double loss_of(const FoundIsland& island, double had, double span) const;
+  bool keep_energy(FoundIsland& island, double had, double span) const;
+  [[nodiscard]] bool can_go(const FoundIsland& island, double a, double span) const;
+  void note_held(const FoundIsland& island, double lost);
+
+  // Impacts of islands: loop_island_hit_body.hpp.
+  /// What of an island meets at an instant.
+  struct Hits {
+    std::vector<char> stays;    ///< by member: it is of the island afterwards
+    std::vector<char> counted;  ///< by contact: it is an impact
+    std::vector<char> parts;    ///< by contact: it is one that bounces
+    double restitution = 1;
+    double fastest = 0;
+    double held = 0;  ///< energy of a jammed group that nothing of it can move with
+    bool bounces = false;
+    std::uint64_t walls = 0;
+    std::uint64_t balls = 0;
+  };
+  [[nodiscard]] bool is_hit_of_island(Index i, Index partner, At now) const;
+  void hit_islands(std::vector<std::vector<Index>> hits, At now);
+  void settle_pressed();
+  void hit_island(FoundIsland& island, At now);
+  [[nodiscard]] double approach(const FoundIsland& island, std::size_t contact) const;
+  /// Whether the contact is one of a step, and not an impact to come; where balls lose energy, all
+  /// near ones are.
+  [[nodiscard]] bool lasts(const FoundIsland& island, std::size_t contact) const;
+  [[nodiscard]] Hits hits_of(const FoundIsland& island, At now) const;
+  void reflect_island(FoundIsland& island, Hits& hits);
+  void put_on_walls(FoundIsland& island) const;
+  void press(FoundIsland& island, double span, double goal, std::vector<double>& loads) const;
+  void hold_on(FoundIsland& island, double span, double goal, std::vector<double>& loads) const;
+
+  // Steps of islands: loop_island_step_body.hpp.
+  void step_islands(At now);
+  void step_island(FoundIsland& island, At now);
+  void hold_still(const FoundIsland& island, std::vector<std::size_t>& set,
+                  const std::vector<char>& carries, std::vector<char>& moves) const;
+
+  std::shared_ptr<const Motion<P>> shared_motion_;
+  const Motion<P>& motion_ = *shared_motion_;
+  std::size_t population_ = 0;  ///< of which the balls are a part; 0: none
+  Paths<P>* paths_ = nullptr;
+  HugeVector<Disk> disks_;
+  std::vector<S> spins_;
+  Neighbours<P> neighbours_{motion_};
+  EventQueue<typename P::Clock> queue_;
+  Counts counts_;
+  Turns turns_;
+  EnergyBook book_;
+  std::vector<Disk> counted_;  ///< the flights that `turns_` and losses have note of; empty: none
+  std::vector<S> counted_spins_;
+  Costs sampled_;                       ///< of the events that were timed
+  double island_seconds_ = 0;           ///< of all steps and impacts of islands
+  std::uint64_t samples_ = 0;           ///< events that were timed
+  std::uint32_t untimed_ = 0;           ///< events before the next one that is
+  Time next_step_ = P::Clock::never();  ///< of islands
+  Time stepped_ = 0;                    ///< when the last one was, or the balls were taken
+  std::vector<int> number_;             ///< in the island that is looked at; -1
+  ImpactLog* log_ = nullptr;            ///< null: impacts are not noted
+  std::vector<Impact> slid_;            ///< slides that ended at this instant, if impacts are noted
+  double overlap_ = 0;                  ///< at the last impact of two
+  Time reached_ = 0;                    ///< everything up to here has happened
+  std::vector<Index>
+      left_;  ///< the fixed ball a flight began at; only where balls fall on fixed disks
+  mutable std::set<std::pair<Time, Index>> ties_;  ///< when impacts may share a ball, and which
+  Time instant_ = 0;                               ///< of the last impact
+  std::vector<Past> past_;                         ///< the balls that were hit at that instant
+  std::vector<Resolution> resolutions_;            ///< of that instant
+  std::vector<int> resolution_of_;                 ///< by ball; -1: it was not hit
+  std::vector<Pair> waiting_;                      ///< impacts at that instant still to come
+  std::vector<Pair> linked_;    ///< what met at that instant, after a blow or not
+  std::vector<Pair> resolved_;  ///< contacts of the joint impacts at that instant
+  std::vector<Pair> pressed_;   ///< what is to come to rest at that instant
+  std::vector<Index> changed_;  ///< balls whose next impact is to be looked for
+  std::size_t at_once_ = 0;     ///< impacts at that instant
+  std::vector<int> hits_;       ///< the same by ball
+  std::vector<Index> hit_;      ///< balls of which there are any
+  Time watched_from_ = 0;       ///< impacts are counted from here
+  std::uint64_t watched_ = 0;   ///< since then
+  int jams_ = 0;                ///< since then: too many impacts
+  int jammed_at_ = 0;           ///< what `jams_` was when it last ended
+};
+
+}  // namespace carom::event

@@ -1,0 +1,222 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "solvers/event/event_loop.hpp"
+
+namespace carom::event {
+
+// Entries that a bucket of the event queue should hold: enough to fetch what they need ahead of
+// time.
+inline constexpr double kPerBucket = 64;
+
+template <class P>
+EventLoop<P>::EventLoop(BasicRules<S> rules)
+    : shared_motion_(std::make_shared<const Motion<P>>(std::move(rules))) {}
+
+template <class P>
+EventLoop<P>::EventLoop(std::shared_ptr<const Motion<P>> motion, std::size_t population)
+    : shared_motion_(std::move(motion)), population_(population) {}
+
+template <class P>
+void EventLoop<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left,
+                         const std::vector<S>& spins) {
+  spins_.clear();
+  if (motion_.rules().spins) {
+    spins_ = spins;
+    spins_.resize(disks.size(), S(0));
+  }
+  left_ = left;
+  const auto n = static_cast<Index>(disks.size());
+  disks_.assign(disks.begin(), disks.end());
+  bool fixed_disks = false;
+  for (Disk& disk : disks_) {
+    disk.meets = P::Clock::never();
+    disk.leaves = P::Clock::never();
+    disk.partner = kUnknown;
+    if (motion_.fixed(disk)) {
+      disk.start = P::Clock::ever();
+      fixed_disks = true;
+    }
+  }
+  if ((fixed_disks || motion_.rests()) && motion_.bends()) {
+    left_.resize(n, kUnknown);
+  } else {
+    left_.clear();
+  }
+  ties_.clear();
+  instant_ = Time(-1);  // an impact at this very moment begins an instant
+  at_once_ = 0;
+  watched_from_ = now;
+  watched_ = 0;
+  jams_ = 0;
+  jammed_at_ = 0;
+  next_step_ = P::Clock::never();
+  stepped_ = now;
+  resolution_of_.assign(n, -1);
+  resolutions_.clear();
+  waiting_.clear();
+  changed_.clear();
+  hits_.assign(n, 0);
+  hit_.clear();
+  past_.clear();
+  linked_.clear();
+  resolved_.clear();
+  pressed_.clear();
+  slid_.clear();
+  start_resting(now);
+  counted_.clear();
+  bool counts = motion_.loses_in_flight();
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    turns_[axis].clear();
+    if (!motion_.rules().falls_round(axis)) continue;
+    turns_[axis].resize(n, 0);
+    counts = true;
+  }
+  if (counts) {
+    counted_.assign(disks_.begin(), disks_.end());
+    counted_spins_ = spins_;
+  }
+  reached_ = now;
+  const Domain& domain = motion_.rules().domain;
+  start_event_queue(now, (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]));
+  if (motion_.rules().collisions) {
+    neighbours_.reset(disks_, now);
+    for (Index i = 0; i < n; ++i) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
+  }
+  for (Index i = 0; i < n; ++i) scan(i, now);
+  for (Index i = 0; i < n; ++i) schedule(i);
+}
+
+// A guess of how fast entries are due: it decides how long a bucket is, and no result.
+template <class P>
+void EventLoop<P>::start_event_queue(At now, double area) {
+  double square = 0;
+  double diameter = 0;
+  double covered = 0;
+  for (const Disk& disk : disks_) {
+    const auto radius = static_cast<double>(motion_.species(disk).radius);
+    square += static_cast<double>(S(disk.vx * disk.vx + disk.vy * disk.vy));
+    diameter += 2 * radius;
+    covered += 3.14159 * radius * radius;
+  }
+  const auto n = static_cast<double>(std::max<std::size_t>(disks_.size(), 1));
+  const double gravity = std::hypot(motion_.rules().gravity[0], motion_.rules().gravity[1]);
+  const double speed = std::sqrt(square / n + gravity * std::sqrt(area));
+  const double packing = std::min(covered / area, 0.8);
+  const double island = (1 - packing / 2) / ((1 - packing) * (1 - packing));
+  const double across = n / area * (diameter / n) * island + 1 / std::sqrt(area);
+  const double rate = 4 * n * speed * across;
+  const Time width =
+      rate > 0 ? motion_.rules().scale.ticks(kPerBucket / rate) : P::Clock::longest_flight();
+  queue_.reset(now, width, std::clamp<std::size_t>(disks_.size() / 64, 16, 4096));
+}
+
+template <class P>
+void EventLoop<P>::take(const Entry& entry) {
+  if (untimed_-- == 0) {
+    time_event(entry.ball, entry.time);
+  } else {
+    next_event(entry.ball, entry.time);
+  }
+}
+
+template <class P>
+auto EventLoop<P>::first_event(At until) -> const Entry* {
+  const auto wanted = [this](const Entry& entry) { return disks_[entry.ball].due() == entry.time; };
+  const auto prepare = [this](std::span<const Entry> entries, std::span<const Entry> next,
+                              std::span<const Entry> after_next) {
+    fetch(entries, next, after_next);
+  };
+  return queue_.first(until, wanted, prepare);
+}
+
+template <class P>
+void EventLoop<P>::advance_to(At until) {
+  for (;;) {
+    const Time at = std::min(next_step_, Time(until));
+    const Entry* next = first_event(at);
+    const bool same = next != nullptr && next->time == instant_;
+    if (!same && !waiting_.empty()) {
+      resolve_waiting();
+    } else if (!same && !pressed_.empty()) {
+      settle_pressed();
+    } else if (next != nullptr) {
+      const Entry entry = *next;
+      queue_.drop_first();
+      if (disks_[entry.ball].due() == entry.time) take(entry);
+    } else if (next_step_ <= until) {
+      next_step_ = P::Clock::never();
+      stepped_ = at;
+      step_islands(at);
+    } else {
+      break;
+    }
+  }
+  reached_ = until;
+  keep_slides();
+}
+
+// Asks for the memory that the events of the next buckets will look at, in the order in which one
+// needs the other, so that a hundred fetches run at once instead of one after the other.
+template <class P>
+void EventLoop<P>::fetch(std::span<const Entry> entries, std::span<const Entry> next,
+                         std::span<const Entry> after_next) const {
+  constexpr std::size_t kInCache = 4000;
+  if (disks_.size() < kInCache || !motion_.rules().collisions) return;
+  for (const Entry& entry : after_next) {
+    __builtin_prefetch(&disks_[entry.ball]);
+    neighbours_.fetch(entry.ball);
+  }
+  const auto meets_ball = [](const Disk& disk, const Entry& entry) {
+    return disk.partner < kFirstMark && disk.meets == entry.time;
+  };
+  const auto fetch_listed = [this](Index i) {
+    const auto& node = neighbours_.lists().first(i);
+    for (std::uint32_t n = 0; n < node.count; ++n) __builtin_prefetch(&disks_[node.item[n]]);
+  };
+  for (const Entry& entry : next) {
+    const Disk& disk = disks_[entry.ball];
+    fetch_listed(entry.ball);
+    if (meets_ball(disk, entry)) neighbours_.fetch(disk.partner);
+    if (disk.leaves == entry.time) neighbours_.fetch_cells(entry.ball);
+  }
+  for (const Entry& entry : entries) {
+    const Disk& disk = disks_[entry.ball];
+    if (meets_ball(disk, entry)) fetch_listed(disk.partner);
+    if (disk.leaves == entry.time) neighbours_.fetch_search(entry.ball);
+  }
+}
+
+template <class P>
+void EventLoop<P>::rebase(At by) {
+  for (Disk& disk : counted_) {
+    if (disk.start != P::Clock::ever()) disk.start -= by;
+  }
+  for (Disk& disk : disks_) {
+    if (disk.start != P::Clock::ever()) disk.start -= by;
+    if (disk.meets != P::Clock::never()) disk.meets -= by;
+    if (disk.leaves != P::Clock::never()) disk.leaves -= by;
+  }
+  if (next_step_ != P::Clock::never()) next_step_ -= by;
+  reached_ -= by;
+  // Long ago is long ago, however many epochs: the ticks of all of them are no number.
+  stepped_ = stepped_ >= by ? Time(stepped_ - by) : Time(-1);
+  watched_from_ = watched_from_ >= by ? Time(watched_from_ - by) : Time(Time(-1) - kShortTicks);
+  instant_ = instant_ >= by ? Time(instant_ - by) : Time(-1);
+  for (Past& past : past_) {
+    const Time oldest = P::Clock::ever() + by;
+    past.disk.start = past.disk.start > oldest ? Time(past.disk.start - by) : P::Clock::ever();
+  }
+  std::set<std::pair<Time, Index>> ties;
+  for (auto at = ties_.lower_bound({by, 0}); at != ties_.end(); ++at) {
+    ties.insert({at->first - by, at->second});
+  }
+  ties_ = std::move(ties);
+  queue_.rebase(by);
+}
+
+}  // namespace carom::event

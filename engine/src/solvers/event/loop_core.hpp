@@ -1,0 +1,141 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "solvers/event/core.hpp"
+#include "solvers/event/domains/domains.hpp"
+#include "solvers/event/event_loop.hpp"
+#include "solvers/event/groups/conflict_groups.hpp"
+
+namespace carom::event {
+
+/// The core that chooses between three ways to the same bits: domains of the plane where balls are
+/// many and nothing comes to rest, conflict groups for several workers, one event loop else.
+///
+/// Threads: all ways have the phases
+///
+///     wall_computation    where there are walls, else "flight": see Domains and ConflictGroups
+///     pair_computation    only with collisions
+///     pair_resolution     only with collisions
+///
+/// With one event loop worker 0 does the last of them and the others wait.
+template <class P>
+class LoopCore final : public Core {
+ public:
+  explicit LoopCore(CoreStart start);
+
+  [[nodiscard]] std::vector<Phase> phases() override;
+  [[nodiscard]] std::size_t aim(double time) override;
+  void set_workers(std::size_t workers) override;
+  void add(const Ball& ball) override;
+  void remove(std::size_t ball) override;
+  void set(const Domain& domain, const Effects& effects, bool bends) override;
+  [[nodiscard]] const std::vector<Ball>& balls() const override { return balls_; }
+  using Core::look;
+  void look(std::size_t first, std::span<Ball> balls) const override;
+  [[nodiscard]] std::vector<ExactPosition> exact_positions() const override;
+  [[nodiscard]] Turns turns() const override { return turns(true); }
+  [[nodiscard]] double energy_ahead() const override;
+  [[nodiscard]] double dissipated() const override;
+  [[nodiscard]] std::vector<double> losses() const override;
+  void go_on_from_losses(const std::vector<double>& losses) override;
+  [[nodiscard]] Tally tally() const override;
+  void save(Continuation& continuation) const override;
+  void visit_flights(const std::function<void(const SavedFlight&)>& visit) const override;
+  void record_impacts(bool wanted) override;
+  void take_impacts(std::vector<Impact>& impacts) override;
+  void tell_slides(std::size_t ball, std::vector<Impact>& impacts) const override;
+
+ private:
+  using S = typename P::Scalar;
+  using Disk = typename P::Disk;
+
+  /// A moment: whole epochs, and ticks of the present one.
+  struct Moment {
+    double epoch = 0;
+    typename P::Time ticks = 0;
+  };
+
+  [[nodiscard]] Disk flight_of(const Ball& ball) const;
+  [[nodiscard]] Moment moment(double seconds) const;
+  /// In more digits flights are so dear that there are never enough balls.
+  static constexpr bool kShares = kIsDouble<S>;
+
+  /// Over the epochs of time up to the target, by domains or conflict groups.
+  template <class Solved>
+  [[nodiscard]] std::size_t aim_way(Solved& way);
+  template <class Solved>
+  [[nodiscard]] std::size_t finish_way(Solved& way, std::size_t phase);
+  [[nodiscard]] std::size_t finish_domains(std::size_t phase) requires kShares;
+  [[nodiscard]] bool suits_domains() const;
+  void work(std::size_t phase, Share share);
+  [[nodiscard]] std::size_t finish_phase(std::size_t phase);
+  enum class Way { loop, groups, domains };
+  [[nodiscard]] Way choose_way() const;
+  void sort_again();
+  [[nodiscard]] Disk flight(std::size_t ball) const;
+  /// The fixed ball at which the flight began; kUnknown: none.
+  [[nodiscard]] Index left(std::size_t ball) const;
+  /// None where balls have no friction.
+  [[nodiscard]] std::optional<S> spin(std::size_t ball) const;
+  [[nodiscard]] const Motion<P>& motion() const;
+  [[nodiscard]] Counts counts() const;
+  [[nodiscard]] Costs costs() const;
+  void advance();
+  void land();
+  /// Notes that a ball at rest, with its number from now on, moves again.
+  void tell_wake(std::size_t ball, const Disk& disk);
+  /// How often each ball was brought back round a periodic axis that gravity pulls along, in the
+  /// flights that are over, and in the present ones if so asked.
+  [[nodiscard]] Turns turns(bool of_present_flights) const;
+  [[nodiscard]] ExactSum<double> lost() const;
+  /// What drag and sliding have taken from the present flights till now; in domains, since they
+  /// began.
+  [[nodiscard]] double present_losses() const;
+  void start();
+  void take_flights(const Continuation& from, const std::string& source);
+  void collect_log();
+
+  Domain domain_;
+  Effects effects_;
+  std::vector<Ball> balls_;        // as they were at the last `land`
+  std::vector<Disk> flights_;      // of the balls, in their order, while there is no event loop
+  std::vector<S> spins_;           // of the balls, in their order, where they rub
+  bool rests_ = false;             // contacts can come to rest
+  std::vector<Index> left_;        // the fixed ball at which each began, by number
+  std::vector<unsigned> carried_;  // what carries each, where contacts can rest
+  std::vector<Index> slot_;        // where in the event loop a ball is
+  typename P::Clock scale_;
+  Sharing sharing_;
+  bool no_domains_ = false;                    // they did not get on
+  std::unique_ptr<EventLoop<P>> loop_;         // all balls,
+  std::unique_ptr<Domains<P>> domains_;        // or those of domains,
+  std::unique_ptr<ConflictGroups<P>> groups_;  // or those that meet
+  std::size_t workers_ = 1;
+  std::uint64_t again_ = 0;  // solved again by domains that are gone
+  Counts before_;            // counted in event loops that are gone
+  Costs costs_before_;
+  ExactSum<double> lost_before_;  // energy
+  double domains_energy_ = 0;     // kinetic, as they began,
+  Moment domains_began_;          // then
+  Turns turns_before_;            // in the order of the balls
+  Moment now_;
+  Moment target_;
+  ImpactLog log_;              // of the event loop, in the present epoch
+  std::vector<Impact> noted_;  // by the numbers of the balls
+};
+
+/// From the fastest ball, what falling across the box adds, and the speed that the lightest ball
+/// gets when all share the energy: the shortest time in which something crosses the box, seconds.
+double crossing_time(const Domain& domain, const Effects& effects, const std::vector<Ball>& balls);
+
+/// Where each ball stands in memory: neighbours in the plane next to each other, where the balls
+/// are so many that it matters.  No result depends on it.
+std::vector<Index> places_in_memory(const Domain& domain, const std::vector<Ball>& balls);
+
+std::array<double, 2> gravity_of(const Effects& effects);
+
+}  // namespace carom::event

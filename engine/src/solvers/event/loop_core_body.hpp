@@ -1,0 +1,704 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "carom/scene_file.hpp"
+#include "solvers/event/loop_core.hpp"
+#include "solvers/event/saved_flight.hpp"
+#include "state/totals.hpp"
+
+namespace carom::event {
+
+inline constexpr std::size_t kManyBalls = 4000;   // from here on their order in memory matters
+inline constexpr std::uint64_t kSortAfter = 100;  // impacts of each ball
+inline constexpr double kLeastPeriod = 8;         // radii: for domains
+
+/// A saved run goes on by its own clock, also where all its balls are gone and others are to come.
+inline bool keeps_its_clock(const Continuation& from, const std::vector<Ball>& balls) {
+  return !from.flights.empty() || (balls.empty() && from.tick);
+}
+
+template <class P>
+LoopCore<P>::LoopCore(CoreStart start)
+    : domain_(start.domain),
+      effects_(start.effects),
+      balls_(std::move(start.balls)),
+      rests_(start.rests),
+      scale_(keeps_its_clock(start.from, balls_)
+                 ? P::Clock::of_tick(*start.from.tick)
+                 : typename P::Clock(crossing_time(domain_, effects_, balls_))),
+      sharing_(start.sharing),
+      workers_(start.workers),
+      now_(moment(start.from.time)),
+      target_(now_) {
+  flights_.reserve(balls_.size());
+  spins_.reserve(balls_.size());
+  if (start.from.flights.empty()) {
+    for (const Ball& ball : balls_) {
+      flights_.push_back(flight_of(ball));
+      spins_.push_back(ball.fixed ? 0 : ball.spin);
+    }
+  } else {
+    take_flights(start.from, start.source);
+  }
+  this->start();
+}
+
+template <class P>
+void LoopCore<P>::take_flights(const Continuation& from, const std::string& source) {
+  const std::vector<SavedFlight>& flights = from.flights;
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    flights_.push_back(restored<P>(flights[i]));
+    const auto& left = flights[i].left;
+    left_.push_back(left ? static_cast<Index>(*left) : kUnknown);
+    carried_.push_back(rests_ ? flights[i].carried : 0);
+    spins_.push_back(effects_.friction ? number_of<S>(flights[i].spin) : S(0));
+    const auto& start = flights_.back().start;
+    const auto earliest = -P::Clock::longest_flight();
+    if (balls_[i].fixed || (start <= now_.ticks && start >= earliest)) continue;
+    throw SceneError(source,
+                     {{fmt::format("/continuation/flights/{}/start", i),
+                       fmt::format("must be from {} to {}, the present of its clock, "
+                                   "got {}",
+                                   text_of(earliest), text_of(now_.ticks), flights[i].start)}});
+  }
+}
+
+template <class P>
+auto LoopCore<P>::flight_of(const Ball& ball) const -> Disk {
+  const Room<S> room(domain_);
+  Disk disk;
+  disk.x = room.wrapped(0, ball.position.x());
+  disk.y = room.wrapped(1, ball.position.y());
+  disk.vx = ball.fixed ? 0 : ball.velocity.x();
+  disk.vy = ball.fixed ? 0 : ball.velocity.y();
+  disk.start = now_.ticks;
+  return disk;
+}
+
+template <class P>
+auto LoopCore<P>::moment(double seconds) const -> Moment {
+  using std::floor;
+  const S length = static_cast<S>(P::Clock::epoch());
+  const S ticks = seconds * scale_.per_second();
+  const S epoch = floor(S(ticks / length));
+  return {static_cast<double>(epoch), P::Clock::whole(ticks - epoch * length)};
+}
+
+template <class P>
+std::vector<Phase> LoopCore<P>::phases() {
+  std::vector<const char*> names{effects_.walls ? "wall_computation" : "flight"};
+  if (effects_.collisions) names.insert(names.end(), {"pair_computation", "pair_resolution"});
+  std::vector<Phase> phases;
+  for (const char* name : names) {
+    const std::size_t number = phases.size();
+    phases.push_back({name, [this, number](Share share) { work(number, share); },
+                      [this, number] { return finish_phase(number); }});
+  }
+  return phases;
+}
+
+template <class P>
+void LoopCore<P>::work(std::size_t phase, Share share) {
+  if constexpr (kShares) {
+    if (domains_) return domains_->work(phase, share);
+  }
+  if (groups_) {
+    groups_->work(phase, share);
+  } else if (share.index == 0) {
+    advance();
+  }
+}
+
+template <class P>
+std::size_t LoopCore<P>::finish_phase(std::size_t phase) {
+  if constexpr (kShares) {
+    if (domains_) return finish_domains(phase);
+  }
+  return groups_ ? finish_way(*groups_, phase) : Phase::kFrameDone;
+}
+
+template <class P>
+std::size_t LoopCore<P>::aim(double time) {
+  const Moment wanted = moment(time);
+  if (wanted.epoch < now_.epoch || (wanted.epoch == now_.epoch && wanted.ticks <= now_.ticks)) {
+    return Phase::kFrameDone;
+  }
+  target_ = wanted;
+  if constexpr (kShares) {
+    if (domains_) return aim_way(*domains_);
+  }
+  if (groups_) return aim_way(*groups_);
+  return effects_.collisions ? ConflictGroups<P>::kResolve : ConflictGroups<P>::kFly;
+}
+
+template <class P>
+void LoopCore<P>::set_workers(std::size_t workers) {
+  const Way way = choose_way();
+  workers_ = workers;
+  if (way != choose_way()) {
+    land();
+    start();
+  }
+  if (groups_) groups_->set_workers(workers);
+  if constexpr (kShares) {
+    if (domains_) domains_->set_workers(workers);
+  }
+}
+
+template <class P>
+template <class Solved>
+std::size_t LoopCore<P>::aim_way(Solved& way) {
+  return way.aim(now_.epoch < target_.epoch ? P::Clock::epoch() : target_.ticks);
+}
+
+template <class P>
+template <class Solved>
+std::size_t LoopCore<P>::finish_way(Solved& way, std::size_t phase) {
+  std::size_t next = way.finish(phase);
+  while (next == Phase::kFrameDone) {
+    now_.ticks = way.now();
+    if constexpr (std::is_same_v<Solved, ConflictGroups<P>>) {
+      if (log_.wanted) {
+        way.take_impacts(log_.impacts);
+        collect_log();
+      }
+    } else if (way.stuck()) {
+      return next;
+    }
+    if (now_.epoch == target_.epoch) return Phase::kFrameDone;
+    way.rebase(P::Clock::epoch());
+    now_ = {now_.epoch + 1, 0};
+    if (now_.epoch == target_.epoch && target_.ticks == 0) return Phase::kFrameDone;
+    next = aim_way(way);
+  }
+  return next;
+}
+
+template <class P>
+std::size_t LoopCore<P>::finish_domains(std::size_t phase) requires kShares {
+  const std::size_t next = finish_way(*domains_, phase);
+  if (next != Phase::kFrameDone || !domains_->stuck()) return next;
+  no_domains_ = true;
+  land();
+  start();
+  if (now_.epoch == target_.epoch && now_.ticks >= target_.ticks) return next;
+  return groups_ ? aim_way(*groups_) : std::size_t{ConflictGroups<P>::kResolve};
+}
+
+template <class P>
+void LoopCore<P>::advance() {
+  while (now_.epoch < target_.epoch) {
+    loop_->advance_to(P::Clock::epoch());
+    collect_log();
+    loop_->rebase(P::Clock::epoch());
+    now_ = {now_.epoch + 1, 0};
+  }
+  loop_->advance_to(target_.ticks);
+  now_ = target_;
+  sort_again();
+}
+
+template <class P>
+void LoopCore<P>::sort_again() {
+  const std::uint64_t impacts = counts().ball_ball + counts().ball_wall;
+  if (balls_.size() >= kManyBalls && impacts > kSortAfter * balls_.size()) {
+    land();
+    no_domains_ = false;
+    start();
+  }
+}
+
+/// Whether the balls are many enough, and nothing comes to rest or is left at a fixed ball.
+template <class P>
+bool LoopCore<P>::suits_domains() const {
+  if (!kShares || no_domains_ || log_.wanted || rests_ || !effects_.collisions) return false;
+  const std::size_t least = workers_ > 1 ? workers_ * sharing_.balls_of_worker : 0;
+  if (balls_.size() < std::max(least, sharing_.least_balls)) return false;
+  const bool bends = effects_.gravity || effects_.drag;
+  if (effects_.drag && (effects_.gravity || effects_.friction)) return false;
+  if (loses_energy(effects_)) return false;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    // Domains do not count how often a ball goes round.
+    if (domain_.period[axis] > 0 && gravity_of(effects_)[axis] != 0) return false;
+  }
+  const double least_period = std::min(domain_.period[0] > 0 ? domain_.period[0] : HUGE_VAL,
+                                       domain_.period[1] > 0 ? domain_.period[1] : HUGE_VAL);
+  return std::none_of(balls_.begin(), balls_.end(), [&](const Ball& ball) {
+    return (bends && ball.fixed) || least_period < kLeastPeriod * ball.radius;
+  });
+}
+
+template <class P>
+auto LoopCore<P>::choose_way() const -> Way {
+  if (suits_domains()) return Way::domains;
+  // Where nothing takes energy and balls touch, one event loop sees what jams.
+  const bool jams = rests_ && !loses_energy(effects_) && !effects_.drag;
+  return workers_ > 1 && !jams ? Way::groups : Way::loop;
+}
+
+template <class P>
+auto LoopCore<P>::flight(std::size_t ball) const -> Disk {
+  if constexpr (kShares) {
+    if (domains_) return domains_->flight(ball);
+  }
+  if (groups_) return groups_->flight(ball);
+  return loop_->disks()[slot_[ball]];
+}
+
+template <class P>
+auto LoopCore<P>::spin(std::size_t ball) const -> std::optional<S> {
+  if (!effects_.friction) return std::nullopt;
+  if constexpr (kShares) {
+    if (domains_) return domains_->spin(ball);
+  }
+  return groups_ ? groups_->spin(ball) : loop_->spins()[slot_[ball]];
+}
+
+template <class P>
+Index LoopCore<P>::left(std::size_t ball) const {
+  if (domains_) return kUnknown;
+  return groups_ ? groups_->left(ball) : loop_->left(slot_[ball]);
+}
+
+template <class P>
+const Motion<P>& LoopCore<P>::motion() const {
+  if constexpr (kShares) {
+    if (domains_) return domains_->motion();
+  }
+  return groups_ ? groups_->motion() : loop_->motion();
+}
+
+template <class P>
+Counts LoopCore<P>::counts() const {
+  if constexpr (kShares) {
+    if (domains_) return domains_->counts();
+  }
+  return groups_ ? groups_->counts() : loop_->counts();
+}
+
+template <class P>
+Costs LoopCore<P>::costs() const {
+  if constexpr (kShares) {
+    if (domains_) return domains_->costs();
+  }
+  return groups_ ? groups_->costs() : loop_->costs();
+}
+
+template <class P>
+Turns LoopCore<P>::turns(bool of_present_flights) const {
+  Turns turns = turns_before_;
+  if (!loop_ && !groups_) return turns;
+  const Turns& since = groups_ ? groups_->turns() : loop_->turns();
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (since[axis].empty()) {
+      turns[axis].clear();
+      continue;
+    }
+    turns[axis].resize(slot_.size(), 0);
+    const S period = domain_.period[axis];
+    for (std::size_t i = 0; i < slot_.size(); ++i) {
+      turns[axis][i] += since[axis][slot_[i]];
+      if (!of_present_flights || balls_[i].fixed) continue;
+      const Vec<S> at = motion().place(flight(i), now_.ticks);
+      const Vec<S> image = motion().wrapped(at);
+      const S apart = axis == 0 ? S(at.x - image.x) : S(at.y - image.y);
+      turns[axis][i] += std::llrint(static_cast<double>(S(apart / period)));
+    }
+  }
+  return turns;
+}
+
+// Takes the flights out of the event loop, into the order of the balls.
+template <class P>
+void LoopCore<P>::land() {
+  collect_log();
+  // What a flight has gone round stays with it until it ends.
+  if (loop_ || groups_) turns_before_ = turns(false);
+  look(balls_);
+  flights_.resize(slot_.size());
+  left_.assign(slot_.size(), kUnknown);
+  carried_.assign(slot_.size(), 0);
+  std::vector<Index> number(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = static_cast<Index>(i);
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    flights_[i] = flight(i);
+    carried_[i] = motion().carried(flights_[i]);
+    const Index left = this->left(i);
+    if (left != kUnknown) left_[i] = number[left];
+    if (const auto spin = this->spin(i)) spins_[i] = *spin;
+  }
+  before_.ball_ball += counts().ball_ball;
+  before_.ball_wall += counts().ball_wall;
+  before_.joint_impacts += counts().joint_impacts;
+  before_.jammed += counts().jammed;
+  before_.resting_contacts += counts().resting_contacts;
+  before_.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
+  costs_before_ += costs();
+  lost_before_ = lost();
+  lost_before_.add(present_losses());
+  if constexpr (kShares) {
+    if (domains_) again_ += domains_->solved_again();
+  }
+}
+
+template <class P>
+void LoopCore<P>::start() {
+  BasicRules<S> rules{domain_,
+                      scale_,
+                      gravity_of(effects_),
+                      has_collisions(effects_),
+                      effects_.collisions ? effects_.collisions->restitution : 1,
+                      effects_.walls ? effects_.walls->restitution : 1,
+                      {},
+                      effects_.drag ? effects_.drag->rate : 0,
+                      effects_.friction ? effects_.friction->balls : 0,
+                      effects_.friction ? effects_.friction->walls : 0,
+                      effects_.gravity.has_value(),
+                      effects_.friction.has_value(),
+                      rests_};
+  slot_ = places_in_memory(domain_, balls_);
+  const Way way = choose_way();
+  if (way != Way::loop) std::iota(slot_.begin(), slot_.end(), 0U);
+  std::map<std::pair<S, S>, Index> all_species;
+  std::vector<Disk> disks(balls_.size());
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const BasicSpecies<S> species{balls_[i].radius,
+                                  balls_[i].fixed ? S(0) : S(1 / S(balls_[i].mass))};
+    const auto [at, added] = all_species.try_emplace({species.radius, species.inverse_mass},
+                                                     static_cast<Index>(rules.all_species.size()));
+    if (added) rules.all_species.push_back(species);
+    flights_[i].species = at->second;
+  }
+  carried_.resize(balls_.size(), 0);
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    disks[slot_[i]] = flights_[i];
+    disks[slot_[i]].species += static_cast<Index>(carried_[i] * rules.all_species.size());
+  }
+  loop_.reset();
+  groups_.reset();
+  domains_.reset();
+  flights_ = std::vector<Disk>();  // not beside those of the event loop
+  if constexpr (kShares) {
+    if (way == Way::domains) {
+      domains_ = std::make_unique<Domains<P>>(rules);
+      domains_->set_workers(workers_);
+      domains_->reset(disks, now_.ticks, effects_.friction ? spins_ : std::vector<S>{});
+      flights_.clear();
+      if (effects_.drag) {
+        std::vector<Ball> balls = balls_;
+        look(balls);
+        domains_energy_ = kinetic_energy(Balls(balls));
+      }
+      domains_began_ = now_;
+      return;
+    }
+  }
+  left_.resize(balls_.size(), kUnknown);
+  if (way == Way::groups) {
+    groups_ = std::make_unique<ConflictGroups<P>>(rules);
+    groups_->set_workers(workers_);
+    groups_->note_impacts(log_.wanted);
+    groups_->reset(disks, now_.ticks, left_, effects_.friction ? spins_ : std::vector<S>{});
+    flights_.clear();
+    return;
+  }
+  loop_ = std::make_unique<EventLoop<P>>(std::move(rules));
+  std::vector<Index> left(balls_.size(), kUnknown);
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    if (left_[i] != kUnknown) left[slot_[i]] = slot_[left_[i]];
+  }
+  std::vector<S> spins;
+  if (effects_.friction) {
+    spins.resize(balls_.size());
+    for (std::size_t i = 0; i < balls_.size(); ++i) spins[slot_[i]] = spins_[i];
+  }
+  loop_->reset(disks, now_.ticks, left, spins);
+  if (log_.wanted) loop_->note_in(&log_);
+  flights_.clear();
+  // What was taken from these flights before has been counted already.
+  lost_before_.add(-present_losses());
+}
+
+// In domains nothing but drag loses energy where it acts, and without gravity it takes the same
+// part of every ball's, whatever its impacts.
+template <class P>
+double LoopCore<P>::present_losses() const {
+  if (!motion().loses_in_flight()) return 0;
+  if constexpr (kShares) {
+    if (domains_) {
+      const double epochs = now_.epoch - domains_began_.epoch;
+      const double seconds = scale_.seconds(now_.ticks) - scale_.seconds(domains_began_.ticks) +
+                             epochs * scale_.seconds(P::Clock::epoch());
+      return -std::expm1(-2 * effects_.drag->rate * seconds) * domains_energy_;
+    }
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    const auto turning = spin(i);
+    sum += motion().flight_loss(flight(i), turning ? &*turning : nullptr, now_.ticks);
+  }
+  return sum;
+}
+
+template <class P>
+double LoopCore<P>::dissipated() const {
+  return lost().rounded() + present_losses();
+}
+
+// But for what the present flights have lost.
+template <class P>
+ExactSum<double> LoopCore<P>::lost() const {
+  ExactSum<double> sum = lost_before_;
+  const auto add = [&sum](const auto& part) {
+    if (!part) return;
+    for (const double term : part->losses()) sum.add(term);
+  };
+  add(loop_);
+  add(groups_);
+  if constexpr (kShares) add(domains_);
+  return sum;
+}
+
+template <class P>
+std::vector<double> LoopCore<P>::losses() const {
+  return lost().parts();
+}
+
+template <class P>
+void LoopCore<P>::go_on_from_losses(const std::vector<double>& losses) {
+  lost_before_.clear();
+  for (const double term : losses) lost_before_.add(term);
+}
+
+// Impacts are noted by one event loop alone: parts of the plane take some of theirs back.
+template <class P>
+void LoopCore<P>::record_impacts(bool wanted) {
+  if (wanted == log_.wanted) return;
+  land();
+  log_.wanted = wanted;
+  noted_.clear();
+  start();
+}
+
+template <class P>
+void LoopCore<P>::take_impacts(std::vector<Impact>& impacts) {
+  collect_log();
+  impacts.insert(impacts.end(), noted_.begin(), noted_.end());
+  noted_.clear();
+}
+
+template <class P>
+void LoopCore<P>::tell_slides(std::size_t ball, std::vector<Impact>& impacts) const {
+  const auto spin = this->spin(ball);
+  if (!spin || !motion().loses_in_flight()) return;
+  const Disk disk = flight(ball);
+  const auto slides = motion().slides_of(disk, &*spin, now_.ticks);
+  const double epoch = static_cast<double>(scale_.seconds(P::Clock::epoch())) * now_.epoch;
+  const double seconds = static_cast<double>(scale_.seconds(now_.ticks)) + epoch;
+  for (const auto& slide : slides) {
+    const Vec<double> at = in_double(motion().wrapped(motion().place(disk, now_.ticks)));
+    impacts.push_back(impact_of<P>(slide, at, ball, seconds, balls_[ball].radius));
+  }
+}
+
+template <class P>
+void LoopCore<P>::tell_wake(std::size_t ball, const Disk& disk) {
+  const double epoch = static_cast<double>(scale_.seconds(P::Clock::epoch())) * now_.epoch;
+  const double seconds = static_cast<double>(scale_.seconds(now_.ticks)) + epoch;
+  noted_.push_back(wake_of(in_double(motion().place(disk, now_.ticks)), ball, seconds));
+}
+
+// From the numbers and times of the event loop to those of the run.
+template <class P>
+void LoopCore<P>::collect_log() {
+  if (log_.impacts.empty()) return;
+  std::vector<std::size_t> number(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = i;
+  const double epoch = static_cast<double>(scale_.seconds(P::Clock::epoch())) * now_.epoch;
+  const std::uint64_t joint = noted_.size();
+  for (Impact& impact : log_.impacts) {
+    impact.time += epoch;
+    if (impact.event != 0) impact.event += joint;
+    impact.a = number[impact.a];
+    if (impact.b != Impact::kNoBall) impact.b = number[impact.b];
+    if (impact.b < impact.a) {
+      std::swap(impact.a, impact.b);
+      impact.position += impact.distance * impact.normal;
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        double& x = impact.position[axis];
+        if (domain_.period[axis] > 0) x = domain_.wrapped(axis, x);
+      }
+      impact.normal = -impact.normal;
+    }
+    noted_.push_back(impact);
+  }
+  log_.impacts.clear();
+}
+
+template <class P>
+void LoopCore<P>::add(const Ball& ball) {
+  land();
+  balls_.push_back(ball);
+  flights_.push_back(flight_of(ball));
+  spins_.push_back(ball.fixed ? 0 : ball.spin);
+  for (auto& turns : turns_before_) {
+    if (!turns.empty()) turns.push_back(0);
+  }
+  start();
+}
+
+template <class P>
+void LoopCore<P>::remove(std::size_t ball) {
+  std::vector<char> rested(slot_.size(), 0);
+  for (std::size_t i = 0; i < slot_.size() && log_.wanted && !domains_; ++i) {
+    rested[i] = motion().carried(flight(i)) == kResting ? 1 : 0;
+  }
+  if (loop_) loop_->wake_around(slot_[ball], now_.ticks);
+  if (groups_) groups_->wake_around(ball, now_.ticks);
+  land();
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    if (i == ball || rested[i] == 0 || carried_[i] == kResting) continue;
+    tell_wake(i < ball ? i : i - 1, flights_[i]);
+  }
+  balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(ball));
+  flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(ball));
+  spins_.erase(spins_.begin() + static_cast<std::ptrdiff_t>(ball));
+  left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ball));
+  for (auto& turns : turns_before_) {
+    if (!turns.empty()) turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(ball));
+  }
+  carried_.erase(carried_.begin() + static_cast<std::ptrdiff_t>(ball));
+  for (Index& left : left_) {
+    if (left == kUnknown || left < ball) continue;
+    left = left == ball ? kUnknown : left - 1;
+  }
+  start();
+}
+
+// Flights start again, too, where what carries balls at rest comes or goes, or rubs otherwise.
+template <class P>
+void LoopCore<P>::set(const Domain& domain, const Effects& effects, bool bends) {
+  const auto has_friction = [](const Effects& of) {
+    return of.friction ? std::pair(of.friction->balls, of.friction->walls) : std::pair(0.0, 0.0);
+  };
+  const auto lies = [this] {
+    for (std::size_t i = 0; i < slot_.size(); ++i) {
+      if (motion().carried(flight(i)) != 0) return true;
+    }
+    return false;
+  };
+  bends = bends || (rests_ && (has_walls(effects) != has_walls(effects_) ||
+                               has_collisions(effects) != has_collisions(effects_) ||
+                               (has_friction(effects) != has_friction(effects_) && lies())));
+  const Turns with_present = bends ? turns(true) : Turns{};
+  land();
+  if (bends) {
+    turns_before_ = with_present;
+    for (std::size_t i = 0; i < slot_.size() && log_.wanted; ++i) {
+      tell_slides(i, noted_);
+      if (motion().carried(flights_[i]) == kResting) tell_wake(i, flights_[i]);
+    }
+    for (Disk& disk : flights_) {
+      const auto i = static_cast<std::size_t>(&disk - flights_.data());
+      if (disk.start != P::Clock::ever()) motion().carry(disk, now_.ticks, &spins_[i]);
+    }
+    std::fill(left_.begin(), left_.end(), kUnknown);
+    std::fill(carried_.begin(), carried_.end(), 0U);
+  }
+  domain_ = domain;
+  effects_ = effects;
+  start();
+}
+
+template <class P>
+void LoopCore<P>::look(std::size_t first, std::span<Ball> balls) const {
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    Ball& ball = balls[k];
+    if (ball.fixed) continue;
+    const Disk disk = flight(first + k);
+    const auto at = motion().wrapped(motion().place(disk, now_.ticks));
+    const auto v = motion().velocity(disk, now_.ticks);
+    ball.position = {static_cast<double>(at.x), static_cast<double>(at.y)};
+    ball.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
+    if (const auto spin = this->spin(first + k)) {
+      ball.spin = static_cast<double>(motion().spin_at(disk, *spin, now_.ticks));
+    }
+  }
+}
+
+template <class P>
+std::vector<ExactPosition> LoopCore<P>::exact_positions() const {
+  const auto parts = [](S rest) {
+    std::vector<double> result;
+    do {
+      result.push_back(static_cast<double>(rest));
+      rest -= result.back();
+    } while (rest != 0);
+    return result;
+  };
+  const Motion<P>& motion = this->motion();
+  std::vector<ExactPosition> result(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    const auto at = motion.wrapped(motion.place(flight(i), now_.ticks));
+    result[i] = {parts(at.x), parts(at.y)};
+  }
+  return result;
+}
+
+template <class P>
+double LoopCore<P>::energy_ahead() const {
+  if (loop_) return loop_->given_ahead(now_.ticks);
+  if (groups_) return groups_->given_ahead(now_.ticks);
+  return 0;
+}
+
+template <class P>
+Tally LoopCore<P>::tally() const {
+  Tally tally;
+  tally.ball_ball = before_.ball_ball + counts().ball_ball;
+  tally.ball_wall = before_.ball_wall + counts().ball_wall;
+  tally.joint_impacts = before_.joint_impacts + counts().joint_impacts;
+  tally.jammed = before_.jammed + counts().jammed;
+  tally.resting_contacts = before_.resting_contacts + counts().resting_contacts;
+  tally.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
+  tally.islands_again = again_;
+  if constexpr (kShares) {
+    if (domains_) tally.islands_again += domains_->solved_again();
+  }
+  Costs costs = costs_before_;
+  costs += this->costs();
+  tally.collisions = costs.collisions;
+  tally.walls = costs.walls;
+  tally.friction = costs.friction;
+  tally.bending = costs.bending;
+  return tally;
+}
+
+template <class P>
+void LoopCore<P>::save(Continuation& continuation) const {
+  continuation.tick = static_cast<double>(scale_.tick());
+  continuation.rests = rests_;
+}
+
+template <class P>
+void LoopCore<P>::visit_flights(const std::function<void(const SavedFlight&)>& visit) const {
+  std::vector<Index> number(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = static_cast<Index>(i);
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    const std::optional<S> spin = this->spin(i);
+    SavedFlight saved = event::saved<P>(flight(i), spin ? &*spin : nullptr);
+    saved.carried = motion().carried(flight(i));
+    const Index left = this->left(i);
+    if (left != kUnknown) saved.left = number[left];
+    visit(saved);
+  }
+}
+
+}  // namespace carom::event

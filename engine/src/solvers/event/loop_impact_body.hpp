@@ -1,0 +1,231 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "solvers/event/event_loop.hpp"
+
+namespace carom::event {
+
+template <class P>
+void EventLoop<P>::watch(At now) {
+  if (now != instant_) {
+    instant_ = now;
+    at_once_ = 0;
+    begin_instant();
+    Time span = kShortTicks;
+    if (motion_.elastic()) {
+      span = P::Clock::span(1, P::Clock::bits() - kElasticSpan);
+    }
+    if (now - watched_from_ > span) {
+      watched_from_ = now;
+      watched_ = 0;
+      jams_ = 0;
+    }
+  }
+  ++watched_;
+  const std::size_t balls = std::max(population_, disks_.size());
+  const bool elastic = motion_.elastic();
+  const std::uint64_t many = elastic ? kManyElastic + 16 * balls : kManyImpacts + 1000 * balls;
+  if (++at_once_ <= 1000 + 100 * balls && watched_ <= many) return;
+  // Balls that are jammed in a gap of next to nothing are resolved as if there were none; each
+  // time that this does not end it, of a gap twice as wide.
+  jams_ = jams_ > 0 ? jams_ + 1 : std::clamp(jammed_at_, 1, kMostDoublings);
+  jammed_at_ = jams_;
+  if (jams_ > kMostJams) {
+    throw std::runtime_error(
+        "impacts follow each other without end: such contacts are for method \"overlap\"");
+  }
+  at_once_ = 0;
+  watched_ = 0;
+  // What was resolved without all that is so near is to be resolved with it.
+  resolved_.clear();
+  linked_.clear();
+  for (const Index i : hit_) hits_[i] = 0;
+  hit_.clear();
+}
+
+// What drag takes follows from the flight alone.
+template <class P>
+void EventLoop<P>::end_flight(Index i, At now) {
+  if (motion_.loses_in_flight()) {
+    const S* was = counted_spins_.empty() ? nullptr : &counted_spins_[i];
+    book_.add_drag(motion_.flight_loss(counted_[i], was, now));
+    // An impact that did nothing leaves it on the flight it was on.
+    if (disks_[i].start != now) book_.add_drag(-motion_.flight_loss(disks_[i], spin(i), now));
+    if (log_ != nullptr) log_slides(i, now);
+  }
+  count_turns(i, now);
+  counted_[i] = disks_[i];
+  if (!counted_spins_.empty()) counted_spins_[i] = spins_[i];
+}
+
+template <class P>
+void EventLoop<P>::count_turns(Index i, At now) {
+  if (turns_[0].empty() && turns_[1].empty()) return;
+  const Vec<S> came = motion_.place(counted_[i], now);
+  const auto count = [&](std::size_t axis, const S& from, const S& to) {
+    if (turns_[axis].empty()) return;
+    const S period = motion_.periods()[axis];
+    turns_[axis][i] += std::llrint(static_cast<double>(S((from - to) / period)));
+  };
+  count(0, came.x, disks_[i].x);
+  count(1, came.y, disks_[i].y);
+}
+
+template <class P>
+void EventLoop<P>::look_again_at_changed(At now) {
+  for (const Index i : changed_) look_again(i, now);
+  changed_.clear();
+}
+
+// After a new flight has begun.
+template <class P>
+void EventLoop<P>::look_again(Index i, At now) {
+  if (motion_.fixed(disks_[i])) return;
+  if (!counted_.empty()) end_flight(i, now);
+  if (paths_ != nullptr) {
+    paths_->note(i, {disks_[i], left(i), spins_.empty() ? S(0) : spins_[i]});
+  }
+  if (motion_.rules().collisions) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
+  scan(i, now);
+  schedule(i);
+}
+
+template <class P>
+void EventLoop<P>::meet_alone(Index i, Index partner, At now) {
+  if (partner >= kWalls) {
+    book_.note(motion_.bounce(disks_[i], spin(i), partner, now));
+    ++counts_.ball_wall;
+    if (!left_.empty()) left_[i] = kUnknown;
+    update_support(i);
+    return;
+  }
+  const typename Motion<P>::Strike strike =
+      motion_.strike(disks_[i], spin(i), disks_[partner], spin(partner), now);
+  overlap_ = strike.overlap;
+  book_.note(strike.lost);
+  counts_.max_overlap = std::max(counts_.max_overlap, overlap_);
+  ++counts_.ball_ball;
+  if (!left_.empty()) {
+    left_[i] = motion_.fixed(disks_[partner]) ? partner : kUnknown;
+    left_[partner] = kUnknown;
+  }
+  update_support(i);
+  update_support(partner);
+  if (motion_.clusters() && motion_.stay_together(disks_[i], disks_[partner])) {
+    ++counts_.resting_contacts;
+  }
+}
+
+// Those that share a ball become one island; what lies straight on a fixed ball, or is of none, is
+// looked at alone.
+template <class P>
+void EventLoop<P>::settle_pressed() {
+  const auto now = instant_;
+  std::vector<Pair> left = std::exchange(pressed_, {});
+  std::vector<std::vector<Index>> islands;
+  std::vector<std::vector<Pair>> others;
+  while (!left.empty()) {
+    std::vector<Pair> group{left.back()};
+    left.pop_back();
+    std::vector<Index> balls;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      for (const Index ball : {group[k].first, group[k].second}) {
+        if (!moves(ball) || std::find(balls.begin(), balls.end(), ball) != balls.end()) continue;
+        balls.push_back(ball);
+        const auto shares = [ball](const auto& pair) {
+          return pair.first == ball || pair.second == ball;
+        };
+        std::copy_if(left.begin(), left.end(), std::back_inserter(group), shares);
+        left.erase(std::remove_if(left.begin(), left.end(), shares), left.end());
+      }
+    }
+    if (motion_.hops() && std::any_of(group.begin(), group.end(), [&](auto& pair) {
+          return is_hit_of_island(pair.first, pair.second, now);
+        })) {
+      islands.push_back(std::move(balls));
+    } else {
+      others.push_back(std::move(group));
+    }
+  }
+  hit_islands(std::move(islands), now);
+  for (const auto& group : others) {
+    begin_resolution();
+    for (const auto& [i, partner] : group) {
+      remember(i);
+      if (moves(partner)) remember(partner);
+      meet_alone(i, partner, now);
+      book_.keep();
+    }
+    end_resolution();
+    for (const auto& [i, partner] : group) {
+      if (moves(partner)) changed_.push_back(partner);
+      changed_.push_back(i);
+    }
+  }
+  look_again_at_changed(now);
+}
+
+// Whether a ball approaches what it meets by more than rounding.
+template <class P>
+bool EventLoop<P>::comes_nearer(Index i, Index partner, At now) const {
+  const Vec<S> mine = motion_.velocity(disks_[i], now);
+  const auto size = [](const Vec<S>& v) { return S(absolute(v.x) + absolute(v.y)); };
+  const S noise = kRounding * std::numeric_limits<S>::epsilon();
+  if (partner >= kWalls) {
+    const S& speed = partner - kWalls < 2 ? mine.x : mine.y;
+    return (partner % 2 == kWalls % 2 ? S(-speed) : speed) > noise * size(mine);
+  }
+  const Vec<S> other = motion_.velocity(disks_[partner], now);
+  const Vec<S> r = motion_.way(motion_.place(disks_[i], now), motion_.place(disks_[partner], now));
+  const S approach = -sharp_dot(r, other - mine) / root(S(r.x * r.x + r.y * r.y));
+  return approach > noise * (size(mine) + size(other));
+}
+
+template <class P>
+void EventLoop<P>::meet(Index i, At now) {
+  const Index partner = disks_[i].partner;
+  if (partner == kUnknown) {
+    ++counts_.stale;
+    if (now == instant_ && !past_.empty() && is_late(i, now)) return;
+    forget(i);
+    scan(i, now);
+    schedule(i);
+    return;
+  }
+  forget(i);
+  if (partner == kCarry) {
+    if (!left_.empty()) left_[i] = kUnknown;
+    motion_.carry(disks_[i], now, spin(i));
+    look_again(i, now);
+    return;
+  }
+  if (partner == kSettles) {
+    settle(i, now);
+    return;
+  }
+  watch(now);
+  if (moves(partner)) forget(partner);
+  waiting_.emplace_back(i, partner);
+}
+
+template <class P>
+void EventLoop<P>::next_event(Index i, At now) {
+  if (disks_[i].meets <= disks_[i].leaves) {
+    meet(i, now);
+    return;
+  }
+  ++counts_.renewals;
+  const Flight<S> here = motion_.at(disks_[i], now);
+  const std::span<const Index> fresh = neighbours_.renew(disks_, i, here);
+  Meeting<P> best{disks_[i].meets, kUnknown};
+  look_at(i, fresh.data(), static_cast<std::uint32_t>(fresh.size()), now, best);
+  disks_[i].leaves = neighbours_.leaving(disks_[i], i, here, now);
+  look_alone(i, best);
+  link(i, best);
+  schedule(i);
+}
+
+}  // namespace carom::event

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "contact/rest_rules.hpp"
+#include "solvers/event/event_loop.hpp"
+
+namespace carom::event {
+
+template <class P>
+void EventLoop<P>::start_resting(At now) {
+  if (!motion_.hops()) return;
+  number_.assign(disks_.size(), -1);
+  for (Index i = 0; i < disks_.size(); ++i) {
+    Disk& disk = disks_[i];
+    if (motion_.fixed(disk)) continue;
+    const unsigned carried = motion_.carried(disk);
+    if (carried != kLying && carried < kResting && disk.start == now) {
+      book_.note(motion_.support_on_walls(disk, spin(i)));
+    }
+    if (motion_.carried(disk) >= kStepped) schedule_step(now);
+  }
+  book_.keep();
+}
+
+template <class P>
+void EventLoop<P>::schedule_step(At now) {
+  if (next_step_ != P::Clock::never() || !(motion_.pull() > 0)) return;
+  const int shift = motion_.step_shift();
+  next_step_ = P::Clock::span(P::Clock::steps(now, shift), shift);
+  // Impacts of the very moment of a step come before it, whether or not others are stepped.
+  if (next_step_ < now || !(stepped_ < now)) {
+    next_step_ = P::Clock::span(P::Clock::steps(now, shift) + 1, shift);
+  }
+}
+
+template <class P>
+void EventLoop<P>::update_support(Index i) {
+  Disk& disk = disks_[i];
+  if (!motion_.hops() || motion_.fixed(disk)) return;
+  const unsigned before = motion_.carried(disk);
+  book_.note(motion_.support_on_walls(disk, spin(i)));
+  const Index fixed_disk = left_[i];
+  if (fixed_disk != kUnknown) book_.note(motion_.support_on_fixed_disk(disk, disks_[fixed_disk]));
+  if ((axes_of(motion_.carried(disk)) & ~axes_of(before)) != 0) ++counts_.resting_contacts;
+}
+
+// What slid along a wall rolls from now on, or slides the other way.
+template <class P>
+void EventLoop<P>::settle(Index i, At now) {
+  if (!left_.empty()) left_[i] = kUnknown;
+  motion_.carry(disks_[i], now, spin(i));
+  motion_.settle(disks_[i], spins_[i]);
+  update_support(i);
+  book_.keep();
+  look_again(i, now);
+}
+
+template <class P>
+void EventLoop<P>::wake_around(Index i, At now) {
+  // Only collisions let one ball carry another, and only they keep a grid to look into.
+  if (!motion_.hops() || !motion_.rules().collisions) return;
+  const Vec<S> here = motion_.wrapped(motion_.place(disks_[i], now));
+  for (const Index j :
+       neighbours_.around(static_cast<double>(here.x), static_cast<double>(here.y))) {
+    Disk& disk = disks_[j];
+    if (motion_.carried(disk) != kResting && motion_.carried(disk) != kLying) continue;
+    const S reach = motion_.species(disks_[i]).radius + motion_.species(disk).radius;
+    if (!near(motion_.way(here, motion_.place(disk, now)), reach, S(kNear))) continue;
+    motion_.set_carried(disk, kJoins);
+  }
+}
+
+}  // namespace carom::event

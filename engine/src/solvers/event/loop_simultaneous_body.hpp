@@ -1,0 +1,481 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "contact/joint_impact.hpp"
+#include "contact/rest_rules.hpp"
+#include "solvers/event/loop_island_search_body.hpp"
+
+namespace carom::event {
+
+/// The balls that touch at one instant, and all their contacts.
+template <class P>
+struct EventLoop<P>::SimultaneousImpact {
+  std::vector<Index> members;  ///< balls and fixed balls; the first is the one it began with
+  std::vector<Vec<S>> places;
+  std::vector<Body<S>> bodies;
+  std::vector<S> spins;  ///< only where balls have friction
+  std::vector<Contact<S>> contacts;
+  struct Stop {
+    std::size_t member;
+    Index wall;
+    bool meets;  ///< it is at the wall: not only so near that it is taken as jammed
+  };
+  std::vector<Stop> stops;  ///< the contacts with walls
+
+  [[nodiscard]] std::size_t find(Index i) const {
+    return static_cast<std::size_t>(std::find(members.begin(), members.end(), i) - members.begin());
+  }
+};
+
+template <class P>
+bool EventLoop<P>::tied(Index i, Index partner, At now) {
+  if (ties_.empty()) return false;
+  ties_.erase(ties_.begin(), ties_.lower_bound({now, 0}));
+  if (ties_.count({now, i}) == 0 && ties_.count({now, partner}) == 0) return false;
+  // A tie may be of what was known of a ball before: whether it was noted depends on what was
+  // looked at when.
+  const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
+  return meets_another(i, partner, now) || (ball && meets_another(partner, i, now));
+}
+
+// Whether the ball meets something else at this instant, too.
+template <class P>
+bool EventLoop<P>::meets_another(Index i, Index partner, At now) const {
+  const Disk& disk = disks_[i];
+  for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
+    if (wall == partner || !motion_.rules().domain.solid((wall - kWalls) / 2)) continue;
+    if (motion_.wall_meets(disk, wall) <= now) return true;
+  }
+  if (!motion_.rules().collisions) return false;
+  bool meets = false;
+  neighbours_.lists().each(i, [&](Index j) {
+    if (meets || j == partner) return;
+    const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
+    meets = motion_.pair_meets(disk, disks_[j], from_contact, now) <= now;
+  });
+  return meets;
+}
+
+template <class P>
+bool EventLoop<P>::touch(Index i, Index j, At now, const Vec<S>& r) const {
+  const Disk& a = disks_[i];
+  const Disk& b = disks_[j];
+  const S reach = motion_.species(a).radius + motion_.species(b).radius;
+  if (!(squared_gap(r, reach) > 0) || (jams_ > 0 && near(r, reach, S(jam_gap())))) return true;
+  const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
+  if (motion_.clusters() &&
+      near(r, S(motion_.species(a).radius + motion_.species(b).radius), S(kTouching / 32)) &&
+      motion_.collapses(a, b, now)) {
+    return true;
+  }
+  return motion_.pair_meets(a, b, from_contact, now) == now;
+}
+
+template <class P>
+void EventLoop<P>::add_member(SimultaneousImpact& instant, Index i, At now) const {
+  const Disk& disk = disks_[i];
+  instant.members.push_back(i);
+  instant.places.push_back(motion_.wrapped(motion_.place(disk, now)));
+  instant.bodies.push_back({motion_.velocity(disk, now), motion_.species(disk).inverse_mass});
+  if (!spins_.empty()) instant.spins.push_back(motion_.spin_at(disk, spins_[i], now));
+}
+
+template <class P>
+bool EventLoop<P>::is_late(Index i, At now) {
+  if (motion_.fixed(disks_[i]) || is_past(i)) return false;
+  const Disk& me = disks_[i];
+  for (const Past& past : past_) {
+    const Disk& other = past.disk;
+    const bool meets =
+        motion_.pair_meets(me, other, false, now) <= now && motion_.rules().collisions;
+    if (!meets) continue;
+    forget(i);
+    waiting_.push_back({i, past.ball});
+    return true;
+  }
+  return false;
+}
+
+inline bool has_pair(const std::vector<std::pair<Index, Index>>& pairs, Index i, Index j) {
+  return std::any_of(pairs.begin(), pairs.end(), [&](const std::pair<Index, Index>& pair) {
+    return (pair.first == i && pair.second == j) || (pair.first == j && pair.second == i);
+  });
+}
+
+template <class P>
+bool EventLoop<P>::is_linked(Index i, Index j) const {
+  return has_pair(linked_, i, j);
+}
+
+template <class P>
+bool EventLoop<P>::is_resolved(Index i, Index j) const {
+  return has_pair(linked_, i, j) || has_pair(resolved_, i, j);
+}
+
+template <class P>
+void EventLoop<P>::add_contact(SimultaneousImpact& instant, std::size_t member, Index j, At now,
+                               bool meets) {
+  const Index i = instant.members[member];
+  const std::size_t other = instant.find(j);
+  const bool known = other < instant.members.size();
+  const Vec<S> there =
+      known ? instant.places[other] : motion_.wrapped(motion_.place(disks_[j], now));
+  const Vec<S> r = motion_.way(instant.places[member], there);
+  if (!meets && !touch(i, j, now, r)) return;
+  if (!known) add_member(instant, j, now);
+  // What touches an island is resolved with it.
+  if (motion_.hops() && (motion_.in_island(disks_[i]) || motion_.in_island(disks_[j]))) return;
+  // Each pair once: with the later of its balls, or the one that is not fixed.
+  if (other > member && !motion_.fixed(disks_[j])) return;
+  instant.contacts.push_back({static_cast<int>(member), static_cast<int>(other), r,
+                              S(gives_up() ? 0 : motion_.rules().restitution)});
+}
+
+template <class P>
+void EventLoop<P>::add_contacts(SimultaneousImpact& instant, std::size_t member, At now) {
+  const Index i = instant.members[member];
+  const Disk& disk = disks_[i];
+  const auto& rules = motion_.rules();
+  if (motion_.fixed(disk)) return;
+  const bool in_island = motion_.hops() && motion_.in_island(disk);
+  for (Index wall = kWalls; wall < kWalls + 4 && !in_island; ++wall) {
+    if (!rules.domain.solid((wall - kWalls) / 2)) continue;
+    const S gap = motion_.wall(disk, instant.places[member], wall).gap;
+    const bool near = jams_ > 0 && !(gap > 2 * motion_.species(disk).radius * jam_gap());
+    const bool meets = !(gap > 0) || motion_.wall_meets(disk, wall) == now || is_linked(i, wall);
+    if (!meets && !near) continue;
+    const S side = wall % 2 == kWalls % 2 ? -1 : 1;
+    const Vec<S> towards = wall - kWalls < 2 ? Vec<S>{side, S(0)} : Vec<S>{S(0), side};
+    instant.stops.push_back({member, wall, meets});
+    instant.contacts.push_back(
+        {static_cast<int>(member), kWall, towards, S(gives_up() ? 0 : rules.wall_restitution)});
+  }
+  if (!rules.collisions) return;
+  std::vector<Index> linked;
+  for (const auto& [a, b] : linked_) {
+    if (a != i && b != i) continue;
+    const Index j = a == i ? b : a;
+    if (j < kFirstMark) linked.push_back(j);
+  }
+  neighbours_.lists().each(i, [&](Index j) {
+    if (in_island && (motion_.fixed(disks_[j]) || motion_.in_island(disks_[j]))) return;
+    const auto known = std::find(linked.begin(), linked.end(), j);
+    const bool meets = known != linked.end();
+    if (meets) linked.erase(known);
+    add_contact(instant, member, j, now, meets);
+  });
+  for (const Index j : linked) add_contact(instant, member, j, now, true);
+}
+
+// Whether one of an island touches, two cling to each other, or they are too many.
+template <class P>
+bool EventLoop<P>::is_of_island(const SimultaneousImpact& instant, At now) const {
+  // Elastic ones part again.
+  if (motion_.rules().restitution < 1 && instant.contacts.size() > kManyContacts) return true;
+  for (const Index m : instant.members) {
+    if (motion_.in_island(disks_[m])) return true;
+  }
+  return std::any_of(instant.contacts.begin(), instant.contacts.end(),
+                     [&](const Contact<S>& contact) {
+                       if (contact.b == kWall) return false;
+                       const auto a = static_cast<std::size_t>(contact.a);
+                       const auto b = static_cast<std::size_t>(contact.b);
+                       const Vec<S> v = instant.bodies[b].velocity - instant.bodies[a].velocity;
+                       return !(sharp_dot(contact.r, v) > 0) &&
+                              motion_.sticks(disks_[instant.members[a]], disks_[instant.members[b]],
+                                             contact.r, now);
+                     });
+}
+
+template <class P>
+auto EventLoop<P>::touching(std::vector<Index>& seeds, At now) -> SimultaneousImpact {
+  SimultaneousImpact instant;
+  add_member(instant, seeds.front(), now);
+  for (std::size_t k = 0; k < instant.members.size(); ++k) add_contacts(instant, k, now);
+  const auto found = [&](Index seed) { return instant.find(seed) < instant.members.size(); };
+  seeds.erase(std::remove_if(seeds.begin(), seeds.end(), found), seeds.end());
+  return instant;
+}
+
+// The groups of balls that touch, from these on. What has been resolved at this instant, and now
+// shares a ball with more, is taken back: its balls are looked for, too.
+template <class P>
+auto EventLoop<P>::groups_of(std::vector<Index>& looked_for, At now)
+    -> std::vector<SimultaneousImpact> {
+  for (;;) {
+    std::vector<Index> seeds = looked_for;
+    std::vector<SimultaneousImpact> groups;
+    std::vector<Index> past;
+    while (!seeds.empty()) {
+      groups.push_back(touching(seeds, now));
+      const std::vector<Index>& members = groups.back().members;
+      std::copy_if(members.begin(), members.end(), std::back_inserter(past),
+                   [this](Index m) { return is_past(m); });
+    }
+    if (past.empty()) return groups;
+    take_back(past);
+    for (const Index k : past) {
+      if (std::find(looked_for.begin(), looked_for.end(), k) == looked_for.end()) {
+        looked_for.push_back(k);
+      }
+    }
+  }
+}
+
+template <class P>
+void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<Pair>& joint,
+                                    At now) {
+  // Of all of them it is not known any more what they meet next.
+  std::vector<Index> looked_for;
+  for (const Pair& pair : joint) {
+    if (!is_linked(pair.first, pair.second)) linked_.push_back(pair);
+    for (const Index k : {pair.first, pair.second}) {
+      if (moves(k) && std::find(looked_for.begin(), looked_for.end(), k) == looked_for.end()) {
+        looked_for.push_back(k);
+      }
+    }
+  }
+  const std::size_t links = linked_.size();
+  linked_.insert(linked_.end(), alone.begin(), alone.end());
+  std::vector<SimultaneousImpact> groups = groups_of(looked_for, now);
+  linked_.resize(links);
+  std::erase_if(alone, [&](const Pair& pair) {
+    const bool found =
+        std::any_of(groups.begin(), groups.end(), [&](const SimultaneousImpact& group) {
+          return group.find(pair.first) < group.members.size();
+        });
+    if (!found) return false;
+    linked_.push_back(pair);
+    for (const Index k : {pair.first, pair.second}) {
+      if (moves(k)) looked_for.push_back(k);
+    }
+    return true;
+  });
+  std::vector<std::vector<Index>> islands;
+  std::vector<SimultaneousImpact> others;
+  for (SimultaneousImpact& group : groups) {
+    if (!motion_.hops() || !is_of_island(group, now)) {
+      others.push_back(std::move(group));
+      continue;
+    }
+    std::vector<Index>& island = islands.emplace_back();
+    std::copy_if(group.members.begin(), group.members.end(), std::back_inserter(island),
+                 [this](Index m) { return !motion_.fixed(disks_[m]); });
+  }
+  if (motion_.hops()) {
+    std::erase_if(alone, [&](const Pair& pair) {
+      if (!is_hit_of_island(pair.first, pair.second, now)) return false;
+      std::vector<Index>& island = islands.emplace_back();
+      island.push_back(pair.first);
+      if (moves(pair.second)) island.push_back(pair.second);
+      return true;
+    });
+  }
+  hit_islands(std::move(islands), now);
+  for (SimultaneousImpact& group : others) {
+    begin_resolution();
+    resolve_group(group, looked_for, now);
+    end_resolution();
+  }
+  for (const auto& [i, partner] : alone) resolve_alone(i, partner, now);
+}
+
+template <class P>
+void EventLoop<P>::resolve_alone(Index i, Index partner, At now) {
+  const bool ball = moves(partner);
+  begin_resolution();
+  remember(i);
+  if (ball) remember(partner);
+  const std::size_t first = past_.size() - (ball ? 2 : 1);
+  for (const Index k : {i, partner}) {
+    if (k == partner && !ball) continue;
+    unlink(k);
+    forget(k);
+  }
+  meet_alone(i, partner, now);
+  const double lost = book_.keep();
+  if (log_ != nullptr) log_alone(i, partner, past_[first].disk, past_.back().disk, lost, now);
+  end_resolution();
+  if (ball) changed_.push_back(partner);
+  changed_.push_back(i);
+}
+
+// Whether an impact is to be resolved with all that touches; nothing, where it waits for the
+// impacts of the instant to be over: what has been resolved, and is only pressed together from then
+// on.
+template <class P>
+std::optional<bool> EventLoop<P>::is_joint(Index i, Index partner, At now) {
+  const bool ball = moves(partner);
+  const bool again = is_past(i) || (ball && is_past(partner));
+  const int hits = std::max(hits_[i], ball ? hits_[partner] : 0);
+  if (again && (is_resolved(i, partner) || hits > kManyAtOnce || !comes_nearer(i, partner, now))) {
+    return std::nullopt;
+  }
+  return again || jams_ > 0 || tied(i, partner, now) ||
+         (motion_.clusters() && ball && motion_.collapses(disks_[i], disks_[partner], now));
+}
+
+template <class P>
+void EventLoop<P>::resolve_waiting() {
+  const auto now = instant_;
+  for (const auto& [i, partner] : waiting_) {
+    count_hit(i);
+    if (moves(partner)) count_hit(partner);
+  }
+  if (waiting_.size() == 1) {
+    const auto [i, partner] = waiting_.front();
+    const std::optional<bool> joint = is_joint(i, partner, now);
+    if (joint && !*joint && !(motion_.hops() && is_hit_of_island(i, partner, now))) {
+      waiting_.clear();
+      resolve_alone(i, partner, now);
+      look_again_at_changed(now);
+      return;
+    }
+  }
+  std::vector<Pair> alone;
+  std::vector<Pair> joint;
+  std::vector<Index> balls;
+  for (const Pair& pair : std::exchange(waiting_, {})) {
+    const std::optional<bool> together = is_joint(pair.first, pair.second, now);
+    if (!together) {
+      pressed_.push_back(pair);
+      continue;
+    }
+    (*together ? joint : alone).push_back(pair);
+    balls.push_back(pair.first);
+    if (moves(pair.second)) balls.push_back(pair.second);
+  }
+  // What shares a ball is resolved together.
+  std::sort(balls.begin(), balls.end());
+  const auto shares = [&](Index k) {
+    const auto [first, last] = std::equal_range(balls.begin(), balls.end(), k);
+    return last - first > 1;
+  };
+  std::erase_if(alone, [&](const Pair& pair) {
+    if (!shares(pair.first) && !(moves(pair.second) && shares(pair.second))) return false;
+    joint.push_back(pair);
+    return true;
+  });
+  resolve_together(std::move(alone), joint, now);
+  look_again_at_changed(now);
+}
+
+// Of several fixed balls that it touches the flight began at the one that lies first, by place.
+template <class P>
+void EventLoop<P>::note_left(const SimultaneousImpact& instant, At now) {
+  std::vector<const Vec<S>*> ways(instant.members.size(), nullptr);
+  for (const Contact<S>& contact : instant.contacts) {
+    if (contact.b == kWall) continue;
+    const auto a = static_cast<std::size_t>(contact.a);
+    const Index b = instant.members[static_cast<std::size_t>(contact.b)];
+    const Index ball = instant.members[a];
+    if (!motion_.fixed(disks_[b]) || disks_[ball].start != now) continue;
+    const Vec<S>* first = ways[a];
+    const Vec<S>& r = contact.r;
+    if (first != nullptr && lies_before(*first, r)) continue;
+    ways[a] = &r;
+    left_[ball] = b;
+  }
+}
+
+template <class P>
+void EventLoop<P>::resolve_group(SimultaneousImpact& instant, const std::vector<Index>& looked_for,
+                                 At now) {
+  for (const Index m : instant.members) remember(m);
+  // Nothing else touches: it is an impact like others, however it came to be looked at.
+  if (instant.contacts.size() == 1 && instant.members.size() < 3) {
+    const Contact<S>& contact = instant.contacts.front();
+    const Index i = instant.members[static_cast<std::size_t>(contact.a)];
+    const Index partner = contact.b == kWall ? instant.stops.front().wall
+                                             : instant.members[static_cast<std::size_t>(contact.b)];
+    const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
+    const Disk was = disks_[i];
+    const Disk partner_was = ball ? disks_[partner] : Disk{};
+    for (const Index k : {i, partner}) {
+      if (k == partner && !ball) continue;
+      unlink(k);
+      forget(k);
+    }
+    meet_alone(i, partner, now);
+    const double lost = book_.keep();
+    if (log_ != nullptr) log_alone(i, partner, was, partner_was, lost, now);
+    if (ball) changed_.push_back(partner);
+    changed_.push_back(i);
+    return;
+  }
+
+  std::size_t stops = 0;
+  for (const Contact<S>& contact : instant.contacts) {
+    const Index other = contact.b == kWall ? instant.stops[stops++].wall
+                                           : instant.members[static_cast<std::size_t>(contact.b)];
+    resolved_.push_back({instant.members[static_cast<std::size_t>(contact.a)], other});
+  }
+  const std::vector<Body<S>> before = instant.bodies;
+  const std::vector<S> spins_before = instant.spins;
+  ++counts_.joint_impacts;
+  JointLog joint;
+  const JointReport report = resolve(instant, log_ != nullptr ? &joint : nullptr);
+  const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;
+  if (log_ != nullptr) log_joint(instant, joint, now);
+  const auto walls = static_cast<std::uint64_t>(report.walls);
+  const auto balls = static_cast<std::uint64_t>(report.impacts);
+  counts_.ball_wall += walls;
+  counts_.ball_ball += balls;
+  counts_.jammed +=
+      gives_up() ? instant.contacts.size() : static_cast<std::uint64_t>(report.jammed);
+  book_.note(report.lost);
+  double lost = book_.keep();
+
+  std::vector<Index> changed;
+  for (std::size_t k = 0; k < instant.members.size(); ++k) {
+    const Index m = instant.members[k];
+    Disk& disk = disks_[m];
+    if (motion_.fixed(disk)) continue;
+    bool same = before[k].velocity == instant.bodies[k].velocity;
+    if (!spins_.empty()) same = same && spins_before[k] == instant.spins[k];
+    const bool looks = std::find(looked_for.begin(), looked_for.end(), m) != looked_for.end();
+    if (same && !looks) continue;
+    unlink(m);
+    forget(m);
+    changed.push_back(m);
+    if (same) continue;
+    disk.x = instant.places[k].x;
+    disk.y = instant.places[k].y;
+    disk.vx = instant.bodies[k].velocity.x;
+    disk.vy = instant.bodies[k].velocity.y;
+    if (!spins_.empty()) spins_[m] = instant.spins[k];
+    disk.start = now;
+    if (!left_.empty() && !same) left_[m] = kUnknown;
+  }
+  for (const typename SimultaneousImpact::Stop& stop : instant.stops) {
+    Disk& disk = disks_[instant.members[stop.member]];
+    // To move the others would take the energy of their height.
+    if (disk.start != now || !stop.meets) continue;
+    const S at = motion_.wall(disk, {disk.x, disk.y}, stop.wall).stop;
+    (stop.wall - kWalls < 2 ? disk.x : disk.y) = at;
+  }
+  if (!left_.empty()) note_left(instant, now);
+  for (const Index m : changed) update_support(m);
+  lost += book_.keep();
+  log_loss(first_line, lost);
+  if (motion_.clusters()) {
+    for (const Contact<S>& contact : instant.contacts) {
+      if (contact.b == kWall || contact.restitution == 1) continue;
+      const Disk& a = disks_[instant.members[static_cast<std::size_t>(contact.a)]];
+      const Disk& b = disks_[instant.members[static_cast<std::size_t>(contact.b)]];
+      if (a.start == now && b.start == now && motion_.stay_together(a, b)) {
+        ++counts_.resting_contacts;
+      }
+    }
+  }
+  changed_.insert(changed_.end(), changed.begin(), changed.end());
+}
+
+}  // namespace carom::event
