@@ -2,6 +2,7 @@
 // report.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -134,12 +135,16 @@ TEST_F(Cost, IsReportedForTheEffectsThatAreNamed) {
 // In closed form only events cost anything, and the sample begins with the first.
 TEST_F(Cost, OfExactEventsIsSharedAmongTheEffectsThatDoThem) {
   const Names some{"walls", "collisions", "gravity", "drag", "friction"};
-  const json told = report(some, "event", "20");
-  EXPECT_GT(told["events"]["ball_ball"], 0);
-  for (const std::string& name : some) {
-    const double seconds = told["effects"][name]["seconds"];
-    EXPECT_GT(seconds, 0) << name;
+  // So few events have but a few samples, and one that is interrupted may count for nothing.
+  std::map<std::string, double> most;
+  for (int run = 0; run < 5; ++run) {
+    const json told = report(some, "event", "20");
+    EXPECT_GT(told["events"]["ball_ball"], 0);
+    for (const std::string& name : some) {
+      most[name] = std::max(most[name], told["effects"][name]["seconds"].get<double>());
+    }
   }
+  for (const std::string& name : some) EXPECT_GT(most[name], 0) << name;
   const json of_walls = report({"walls"}, "event", "20");
   for (const auto& [name, cost] : of_walls["effects"].items()) {
     EXPECT_GT(cost["seconds"], 0) << name;
