@@ -10,8 +10,7 @@ namespace {
 
 using Real = std::chrono::duration<double>;
 
-constexpr double kShare = 0.75;      // of a period: computing stops there, the rest is for drawing
-constexpr double kSliceShare = 0.6;  // of the time left: a slice may cost more than was foreseen
+constexpr double kShare = 0.75;   // of a period: computing stops there, the rest is for drawing
 constexpr double kActing = 0.25;  // of a period: what keys ask for beyond waits for the next frame
 constexpr std::chrono::seconds kNoticeStays{2};
 constexpr std::chrono::hours kForever{24};
@@ -165,11 +164,8 @@ void Player::compute() {
   calls_ = 0;
   Real beside{0};
   while (left > 0 && !session_->quit() && now < limit) {
-    // Nothing known of the cost yet: a step at a time.
-    const double affordable =
-        slice_cost_ > 0 ? kSliceShare * Real(limit - now).count() / slice_cost_ : 0;
-    const double shortest = std::max(session_->simulation().step(), slice_length_.shortest());
-    const double slice = std::min(left, std::max(shortest, affordable));
+    const double slice =
+        slice_cost_.slice(left, session_->simulation().step(), Real(limit - now).count());
     if (single_ > 0) {
       session_->nudge(slice);
       left = single_ = slice < left ? left - slice : 0;
@@ -185,8 +181,7 @@ void Player::compute() {
       const Instant without = std::exchange(now, interface_.now());
       beside += now - without;
     }
-    if (moves) slice_length_.note(slice, Real(now - then).count(), Real(limit - start).count());
-    if (moves) slice_cost_ = std::max(0.9 * slice_cost_, Real(now - then).count() / slice);
+    if (moves) slice_cost_.note(slice, Real(now - then).count());
   }
   if (moves) note_frame(now);
   history_.note(*session_, interface_);

@@ -23,7 +23,7 @@
 #include "view/scrub_bar.hpp"
 #include "view/selection_panel.hpp"
 #include "view/settings.hpp"
-#include "view/slice_length.hpp"
+#include "view/slice_cost.hpp"
 #include "view/threads_watch.hpp"
 #include "view/trails.hpp"
 #include "view/user_interface.hpp"
@@ -152,8 +152,7 @@ class Player {
 
   double speed_ = 1;   // simulated seconds per real one
   double single_ = 0;  // simulated seconds still to go of single frames asked for
-  SliceLength slice_length_;
-  double slice_cost_ = 0;  // real seconds per simulated second, as last seen
+  SliceCost slice_cost_;
   std::chrono::duration<double> computing_{0};
   int help_page_ = -1;       // no help
   bool page_waits_ = false;  // a key waits that opens the help or the list of scenes

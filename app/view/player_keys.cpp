@@ -196,7 +196,7 @@ void Player::change_step(double factor) {
                                  std::max(kLongestStep, scene_.solver.step));
   const std::string words = fmt::format("1/{:.6g} s", 1 / step);
   if (step == present) return say("step stays " + words);
-  slice_cost_ = 0;
+  slice_cost_ = {};
   obey(command::SetStep{step}, "step " + words);
 }
 
@@ -242,7 +242,7 @@ void Player::change_method() {
   scene_.solver.digits = session_->scene().solver.digits;
   scene_.solver.method = method;
   piles_up_ = false;
-  slice_cost_ = 0;
+  slice_cost_ = {};
   meter_.reset();
   const std::string notice = std::string("method ") + method_name(method);
   if (reference_) begin_reference();
@@ -319,7 +319,7 @@ void Player::begin_again() {
   seek_.reset();
   added_ = 0;
   single_ = 0;
-  slice_cost_ = 0;
+  slice_cost_ = {};
   meter_.reset();
   energy_due_ = interface_.now();
   timer_.restart(interface_.now());

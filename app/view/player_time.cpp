@@ -47,7 +47,7 @@ void Player::go_to(double time) {
   single_ = 0;
   if (time < session_->simulation().time()) {
     history_.go_back(session_, time);
-    slice_cost_ = 0;
+    slice_cost_ = {};
     meter_.reset();
   } else if (!session_->paused()) {
     session_->apply(command::Pause{});
@@ -69,16 +69,12 @@ bool Player::move_in_the_past(Instant limit) {
   do {
     const double time = session_->simulation().time();
     const double left = *seek_ - time;
-    const double affordable =
-        slice_cost_ > 0 ? std::chrono::duration<double>(limit - now).count() / 2 / slice_cost_
-                        : session_->simulation().step();
-    const double slice = std::max(session_->simulation().step(), affordable);
+    const double slice = slice_cost_.slice(left, session_->simulation().step(),
+                                           std::chrono::duration<double>(limit - now).count());
     history_.move_on(*session_, slice < left ? time + slice : *seek_);
     const Instant then = std::exchange(now, interface_.now());
     const double moved = session_->simulation().time() - time;
-    if (moved > 0)
-      slice_cost_ =
-          std::max(0.9 * slice_cost_, std::chrono::duration<double>(now - then).count() / moved);
+    if (moved > 0) slice_cost_.note(moved, std::chrono::duration<double>(now - then).count());
   } while (session_->simulation().time() < *seek_ && now < limit);
   if (session_->simulation().time() >= *seek_) {
     seek_.reset();

@@ -12,7 +12,7 @@ namespace {
 // microseconds, by so much that cores which are busy with something else do not turn the gain
 // into a loss.
 constexpr std::size_t kManyToStep = 20'000;     // balls of overlap, some 20 ns each in a phase
-constexpr std::size_t kManyToAttract = 2'000;   // each attracts each: a millisecond or more
+constexpr std::size_t kManyToAttract = 300;     // each attracts each: some 50 us or more
 constexpr std::size_t kManyToForesee = 20'000;  // balls of event, in windows that hold thousands
 
 bool gains_by_sharing(const Scene& scene, std::size_t balls) {
