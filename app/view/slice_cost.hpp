@@ -18,6 +18,8 @@ class SliceCost {
   /// than a step; else as long as may well be done in `time`.
   [[nodiscard]] double slice(double left, double step, double time) const {
     if (longest_ == 0) return std::min(left, step);
+    // One call for all that is left costs least.
+    if (left <= kGrowth * longest_ && fixed_ + usual_rate_ * left <= time) return left;
     if (rate_ == 0) return std::min(left, kGrowth * longest_);
     // Where not even a step fits, a longer slice tells now and then whether it costs any more.
     if (!told_ && fixed_ + rate_ * step > time) return std::min(left, kGrowth * last_);
@@ -43,6 +45,7 @@ class SliceCost {
       if (!told_before) rate_ = slope;
     }
     fixed_ = std::min(fixed_, cost);
+    usual_rate_ = std::max(0.0, y - fixed_) / x;
     rate_ = std::max(kForgets * rate_, (cost - fixed_) / slice);
     longest_ = std::max(longest_, slice);
     last_ = slice;
@@ -61,7 +64,8 @@ class SliceCost {
   double xx_ = 0;
   double xy_ = 0;
   double fixed_ = 0;
-  double rate_ = 0;
+  double usual_rate_ = 0;
+  double rate_ = 0;  // with caution
   double longest_ = 0;
   double last_ = 0;
   bool told_ = false;  // the line is known
