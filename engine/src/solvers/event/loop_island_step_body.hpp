@@ -157,6 +157,32 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
     if (restless[m] != 0) moves[find(m)] = 1;
   }
   hold_still(island, set, carries, moves);
+  // What is touched by something that moves on and comes nearer would be hit, and woken, at once.
+  for (bool more = !motion_.elastic(); more;) {
+    more = false;
+    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+      const ConeContact& c = island.contacts[k];
+      if (c.b == kWall || !island.near[k].touches) continue;
+      const std::size_t a = find(static_cast<std::size_t>(c.a));
+      const std::size_t b = find(static_cast<std::size_t>(c.b));
+      if (moves[a] == moves[b]) continue;
+      const ConeBody& moving = island.bodies[static_cast<std::size_t>(moves[a] != 0 ? c.a : c.b)];
+      const double nearer = dot(c.normal, moving.velocity) * (moves[a] != 0 ? 1 : -1);
+      if (!(nearer > 0)) continue;
+      moves[a] = moves[b] = 1;
+      more = true;
+    }
+  }
+  // What leaves the island while something that touches it comes nearer would bring a hit at once.
+  std::vector<char> met(n, 0);
+  for (std::size_t k = 0; k < island.contacts.size() && !motion_.elastic(); ++k) {
+    const ConeContact& c = island.contacts[k];
+    if (c.b == kWall || !island.near[k].touches) continue;
+    const auto a = static_cast<std::size_t>(c.a);
+    const auto b = static_cast<std::size_t>(c.b);
+    if (dot(c.normal, before[a].velocity - island.bodies[b].velocity) > 0) met[a] = 1;
+    if (dot(c.normal, island.bodies[a].velocity - before[b].velocity) > 0) met[b] = 1;
+  }
   std::vector<char> newly(n, 0);
   for (std::size_t m = 0; m < n; ++m) {
     ConeBody& body = island.bodies[m];
@@ -165,7 +191,7 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
       island.carried[m] = kResting;
       body.velocity = {0, 0};
       body.turning = 0;
-    } else if (loaded[m] == 0 && approaches[m] == 0) {
+    } else if (loaded[m] == 0 && approaches[m] == 0 && met[m] == 0) {
       island.carried[m] = 0;
       body = before[m];
     } else {
@@ -187,7 +213,7 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
     put_at(island, island.places[a], x ? 0 : 1, motion_.wall(disk, island.places[a], wall).stop,
            motion_.species(disk).inverse_mass);
     // Only walls carry it: it slides on, or rolls, if it does not come to rest.
-    if (on_balls[a] != 0 || approaches[a] != 0) continue;
+    if (on_balls[a] != 0 || approaches[a] != 0 || met[a] != 0) continue;
     const bool rests = island.carried[a] == kResting && !motion_.elastic();
     if (island.carried[a] != 0 && !rests) island.bodies[a] = before[a];
     (x ? island.bodies[a].velocity.x : island.bodies[a].velocity.y) = 0;
