@@ -38,6 +38,17 @@ Vec2 mean_by_mass(const std::vector<IslandBody>& bodies, const std::vector<Vec2>
   return sum / mass;
 }
 
+// The root, not below 0, of square x^2 + linear x = value: the value is not below 0, and one of the
+// other two is above it.  Nothing in it can become too small or too large for a number.
+double larger_root(double square, double linear, double value) {
+  const double unit = std::max({square, std::abs(linear), value});
+  const double a = square / unit;
+  const double b = linear / unit;
+  const double c = value / unit;
+  const double root = std::sqrt(b * b + 4 * a * c);
+  return b > 0 ? 2 * c / (b + root) : (root - b) / (2 * a);
+}
+
 }  // namespace
 
 double gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule,
@@ -83,8 +94,7 @@ void hold_energy(const std::vector<IslandBody>& bodies, const IslandStep::Rule& 
   still.turning = plastic.turning;
   const double rest = std::max(-gain(bodies, rule, still), 0.0);
   if (!(square > 0)) return;
-  const double root = std::sqrt(linear * linear + 4 * square * rest);
-  const double part = linear > 0 ? 2 * rest / (linear + root) : (root - linear) / (2 * square);
+  const double part = larger_root(square, linear, rest);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     outcome.after[i] = plastic.after[i] + part * (outcome.after[i] - plastic.after[i]);
     outcome.turning[i] = plastic.turning[i] + part * (outcome.turning[i] - plastic.turning[i]);
@@ -123,8 +133,7 @@ void end_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rul
   const double moving = moving_energy(bodies, outcome, speed);
   if (!(moving > 0 || lifting > 0)) return;
   const double before = std::max(moving + lifting - grown, 0.0);
-  const double root = std::sqrt(lifting * lifting + 4 * moving * before);
-  const double part = lifting > 0 ? 2 * before / (lifting + root) : (root - lifting) / (2 * moving);
+  const double part = larger_root(moving, lifting, before);
   for (Vec2& v : outcome.mean) v = way + part * (v - way);
   scale_velocities(part, speed, outcome);
 }
