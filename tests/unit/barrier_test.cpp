@@ -76,7 +76,7 @@ TEST(Barrier, WhoOnlyArrivesGoesOnAtOnce) {
 }
 
 // One thread orders work and waits for its end; the others wait for orders only.
-// Seen to fail: where an arrival that ends the phase wakes nobody, and where one does not count.
+// Seen to fail: where an arrival that ends the phase wakes no thread, and where one does not count.
 TEST(Barrier, OneWaitsForTheArrivalOfAll) {
   for (const std::size_t workers : {1, 2, 5, 40}) {
     const Watchdog watchdog;

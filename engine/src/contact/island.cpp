@@ -128,7 +128,7 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
   for (std::size_t k = 0; k < slip.size(); ++k) {
     if (first) slip[k] = slips(k, before);
     if (!returns || bounced[k] == 0) continue;
-    // What returns rubs on, as what came did.
+    // What returns has friction, as what came had.
     const double stopped = std::max(slips(k, before) - slip[k], 0.0);
     slip[k] = std::max(slip[k] - island.contacts[k].restitution * stopped, 0.0);
   }

@@ -42,7 +42,8 @@ void take_single(const std::vector<IslandBody>& bodies, const IslandContact& c,
     const SurfaceMotion other =
         c.b < 0 ? SurfaceMotion{} : SurfaceMotion{motion[at(c.b)], outcome.turning[at(c.b)]};
     const double slip = slip_of(c, {motion[a], outcome.turning[a]}, other);
-    // The impact comes within the step: what it does not have to hold of the pull rubs nothing.
+    // The impact comes within the step: what it does not have to hold of the pull makes no
+    // friction.
     const double pressed = bounce ? (1 + c.restitution) * arrival(bodies, c, rule) : gained;
     along = friction_against(slip, c.friction * pressed / rule.fading, rule.fading);
   }

@@ -5,7 +5,7 @@
 
 namespace carom::event {
 
-/// A disk that rubs: uniform, of inertia m r^2 / 2.
+/// A disk with friction: uniform, of inertia m r^2 / 2.
 template <class S>
 struct FrictionBody {
   Vec<S> velocity;

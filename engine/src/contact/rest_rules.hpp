@@ -25,7 +25,7 @@ namespace carom::event {
 // event of its own. Then it rolls, under two thirds of the pull along the wall and of the rate of
 // drag, if friction can give it the other third, |g_t - k v| <= 3 mu g_n; the pull fades, so it
 // then rolls until something meets it. Else it slides the way it is pulled.  What turns in a corner
-// rubs on both walls until it turns no more, if its turning presses it to both.
+// has friction at both walls until it turns no more, if its turning presses it to both.
 //
 // Rule 2, collapse without a force (McNamara and Young, Phys. Fluids A 4 (1992) 496).  Two that
 // would part by less than 2^-40 of their distance while something crosses the box take one normal

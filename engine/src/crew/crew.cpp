@@ -155,7 +155,7 @@ class Crew::Implementation {
         }
         if (busy.count() != 0) computing_ += busy.count();
         timeline.arrive_at_frame_done(frame_done);
-        // Nobody but the control thread waits for the end of the frame: the next thing for a worker
+        // Only the control thread waits for the end of the frame: the next thing for a worker
         // is to wait for the order of the next one, which that thread gives after the end.
         if (!frame_done_.arrive()) return;
       }

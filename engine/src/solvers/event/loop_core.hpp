@@ -103,7 +103,7 @@ class LoopCore final : public Core {
   Effects effects_;
   std::vector<Ball> balls_;        // as they were at the last `land`
   std::vector<Disk> flights_;      // of the balls, in their order, while there is no event loop
-  std::vector<S> spins_;           // of the balls, in their order, where they rub
+  std::vector<S> spins_;           // of the balls, in their order, where they have friction
   bool rests_ = false;             // contacts can come to rest
   std::vector<Index> left_;        // the fixed ball at which each began, by number
   std::vector<unsigned> carried_;  // what carries each, where contacts can rest

@@ -582,7 +582,8 @@ void LoopCore<P>::remove(std::size_t ball) {
   start();
 }
 
-// Flights start again, too, where what carries balls at rest comes or goes, or rubs otherwise.
+// Flights start again, too, where what carries balls at rest comes or goes, or its friction
+// changes.
 template <class P>
 void LoopCore<P>::set(const Domain& domain, const Effects& effects, bool bends) {
   const auto has_friction = [](const Effects& of) {

@@ -13,9 +13,9 @@ namespace carom::event {
 /// The impacts of one instant, with friction where balls have friction.
 ///
 /// Rule: the joint impact without friction tells what each contact carries along its normal; every
-/// contact that carries something rubs at once, at the slip it has before, by the part 1 / n of its
-/// impulse, where n is the larger number of such contacts at its two balls; then the joint impact
-/// is done.  A contact alone is an impact of two with friction, to the last bit.
+/// contact that carries something has friction at once, at the slip it has before, by the part 1 /
+/// n of its impulse, where n is the larger number of such contacts at its two balls; then the joint
+/// impact is done.  A contact alone is an impact of two with friction, to the last bit.
 /// Holds: friction
 /// adds no energy: a ball's energy is convex in its impulses, and their parts add up to 1 at most.
 /// Sums are rounded once, so that no order is seen.

@@ -73,7 +73,7 @@ void EventLoop<P>::join(FoundIsland& island, Index i, At now) {
   island.places.push_back(at);
 }
 
-// Whoever can be reached from the members over near contacts of balls that are of an island.
+// All balls that can be reached from the members over near contacts of balls that are of an island.
 template <class P>
 void EventLoop<P>::gather(FoundIsland& island, At now) {
   if (!motion_.rules().collisions) {

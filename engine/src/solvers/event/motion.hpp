@@ -28,7 +28,7 @@ struct Meeting {
 inline constexpr unsigned kLying = 3;     ///< in a corner, or on the very top of a fixed ball
 inline constexpr unsigned kSlides = 4;    ///< along a wall with friction: + 2 axis, + 1 if forwards
 inline constexpr unsigned kRolls = 8;     ///< along a wall: + axis
-inline constexpr unsigned kSpins = 10;    ///< in a corner that rubs
+inline constexpr unsigned kSpins = 10;    ///< in a corner with friction
 inline constexpr unsigned kResting = 11;  ///< in an island that rests
 inline constexpr unsigned kStepped = 12;  ///< in an island that moves
 inline constexpr unsigned kJoins = 13;    ///< in an island from its next step on
@@ -207,7 +207,7 @@ class Motion {
     return carried(disk) == kResting || carried(disk) == kStepped;
   }
   /// Lets walls carry it where it touches them, is pressed to them and leaves them no more; on one
-  /// that rubs it slides or rolls.
+  /// with friction it slides or rolls.
   /// Gives the energy of the hops that it no longer does.
   double support_on_walls(Disk& disk, S* spin) const;
   /// At the end of its slide: the spin of what rolls.

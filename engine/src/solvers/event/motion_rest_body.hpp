@@ -71,7 +71,8 @@ double Motion<P>::support_on_walls(Disk& disk, S* spin) const {
   return lost + support_in_corner(disk, *spin);
 }
 
-// What slides turns, and may drive itself into another wall: both rub it until it turns no more.
+// What slides turns, and may drive itself into another wall: friction at both slows it until it
+// turns no more.
 template <class P>
 double Motion<P>::support_in_corner(Disk& disk, const S& spin) const {
   if (!slides(disk) || spin == 0) return 0;

@@ -60,8 +60,8 @@ void Motion<P>::grip(Disk& disk, S& spin) const {
   set_carried(disk, kSlides + 2 * (axes - 1) + (sign > 0 ? 1U : 0U));
 }
 
-// A ball that turns and touches two walls rubs on both: with q = 1 where the one of x turns it away
-// from the one of y, N_x = g_x + q mu N_y and N_y = g_y - q mu N_x.
+// A ball that turns and touches two walls has friction at both: with q = 1 where the one of x turns
+// it away from the one of y, N_x = g_x + q mu N_y and N_y = g_y - q mu N_x.
 template <class P>
 auto Motion<P>::corner(const Disk& disk, const S& spin) const -> Corner {
   const Vec<S>& g = law_.pull();
@@ -149,7 +149,7 @@ auto Motion<P>::slides_of(const Disk& disk, const S* spin, At now) const -> std:
   if (carried(disk) == kSpins) {
     const S was = species(disk).radius * *spin;
     const S is = species(disk).radius * spin_at(disk, *spin, now);
-    // It stops turning within its flight, and rubs no longer.
+    // It stops turning within its flight, and has no friction from then on.
     const S longest = absolute(*spin) / corner(disk, *spin).slower;
     const S friction_body = longest < elapsed ? longest : elapsed;
     const Vec<S> load = corner(disk, *spin).load;

@@ -113,7 +113,7 @@ class DomainLoop {
     std::uint8_t bounded = 0;  ///< its event is at a lower bound of its time
   };
   static constexpr std::uint8_t kAtWall = 1;  ///< a wall may be within its circle
-  static constexpr std::uint8_t kFar = 2;     ///< its flight may be long enough to start anew
+  static constexpr std::uint8_t kFar = 2;     ///< its flight may be long enough to start again
   struct Trip {
     float x = 0;
     float y = 0;
