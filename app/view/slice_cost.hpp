@@ -19,7 +19,7 @@ class SliceCost {
   [[nodiscard]] double slice(double left, double step, double time) const {
     if (longest_ == 0) return std::min(left, step);
     // One call for all that is left costs least.
-    if (left <= kGrowth * longest_ && fixed_ + usual_rate_ * left <= time) return left;
+    if (left <= kGrowth * longest_ && fixed_ + usual_rate() * left <= time) return left;
     if (rate_ == 0) return std::min(left, kGrowth * longest_);
     // Where not even a step fits, a longer slice tells now and then whether it costs any more.
     if (!told_ && fixed_ + rate_ * step > time) return std::min(left, kGrowth * last_);
@@ -45,13 +45,15 @@ class SliceCost {
       if (!told_before) rate_ = slope;
     }
     fixed_ = std::min(fixed_, cost);
-    usual_rate_ = std::max(0.0, y - fixed_) / x;
     rate_ = std::max(kForgets * rate_, (cost - fixed_) / slice);
     longest_ = std::max(longest_, slice);
     last_ = slice;
   }
 
  private:
+  /// Of the last calls on average, above what is fixed.
+  [[nodiscard]] double usual_rate() const { return std::max(0.0, y_ - fixed_ * weight_) / x_; }
+
   static constexpr double kShare = 0.6;    // of the time: a slice may cost more than is foreseen
   static constexpr double kGrowth = 2;     // of a slice over the longest before
   static constexpr double kMemory = 0.9;   // of older calls, for the line
@@ -64,7 +66,6 @@ class SliceCost {
   double xx_ = 0;
   double xy_ = 0;
   double fixed_ = 0;
-  double usual_rate_ = 0;
   double rate_ = 0;  // with caution
   double longest_ = 0;
   double last_ = 0;
