@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/disjoint_sets.hpp"
 #include "numbers/exact_sum.hpp"
 #include "numbers/scalar.hpp"
 
@@ -99,23 +100,21 @@ class ContactGraph {
   /// move, but for two that meet there at right angles along the axes, which do not feel each
   /// other.
   std::vector<std::size_t> coupled_sets(const std::vector<char>& chosen) const {
-    std::vector<std::size_t> set(size());
-    for (std::size_t k = 0; k < size(); ++k) set[k] = k;
-    const auto find = [&](std::size_t k) {
-      while (set[k] != k) k = set[k] = set[set[k]];
-      return k;
-    };
+    DisjointSets sets;
+    sets.reset(size());
     for (std::size_t body = 0; body < bodies_.size(); ++body) {
       if (bodies_[body].inverse_mass == 0) continue;
       for (const End& one : at_body_[body]) {
         for (const End& other : at_body_[body]) {
           if (chosen[one.contact] && chosen[other.contact] && feel(one.contact, other.contact)) {
-            set[find(one.contact)] = find(other.contact);
+            sets.merge(static_cast<std::uint32_t>(one.contact),
+                       static_cast<std::uint32_t>(other.contact));
           }
         }
       }
     }
-    for (std::size_t k = 0; k < size(); ++k) set[k] = find(k);
+    std::vector<std::size_t> set(size());
+    for (std::size_t k = 0; k < size(); ++k) set[k] = sets.find(static_cast<std::uint32_t>(k));
     return set;
   }
 

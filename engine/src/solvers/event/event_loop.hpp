@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contact/cone_island.hpp"
+#include "contact/disjoint_sets.hpp"
 #include "contact/dissipation.hpp"
 #include "contact/impact_log.hpp"
 #include "contact/joint_impact.hpp"
@@ -234,7 +235,6 @@ class EventLoop {
   };
   /// What resolving one group of balls did, beside their flights; of an instant, in turn.
   struct Resolution {
-    int set;  ///< the first of those that share balls, or another that leads to it
     Counts counts;
     std::size_t kept;  ///< by the book
     std::size_t log;
@@ -246,7 +246,10 @@ class EventLoop {
   /// What is remembered, counted, kept and noted until the next end belongs to one group.
   void begin_resolution();
   void end_resolution();
-  [[nodiscard]] int set_of(Index i);
+  /// The number of the resolutions that share balls with that of a ball, which was hit.
+  [[nodiscard]] std::size_t set_of(Index i) {
+    return resolution_sets_.find(static_cast<std::uint32_t>(resolution_of_[i]));
+  }
   /// Counts an impact of the ball at the present instant; gives how many there are by now.
   int count_hit(Index i) {
     if (hits_[i]++ == 0) hit_.push_back(i);
@@ -275,6 +278,8 @@ class EventLoop {
   void resolve_together(std::vector<Pair> alone, const std::vector<Pair>& joint, At now);
   [[nodiscard]] std::vector<SimultaneousImpact> groups_of(std::vector<Index>& looked_for, At now);
   void resolve_alone(Index i, Index partner, At now);
+  /// One impact, of balls that have been remembered: it is booked and noted.
+  void meet_and_note(Index i, Index partner, At now);
   void look_again_at_changed(At now);
   /// All that touches at this instant, over balls that can move, from these on; takes from `seeds`
   /// those that it has found.
@@ -359,8 +364,15 @@ class EventLoop {
   // Steps of islands: loop_island_step_body.hpp.
   void step_islands(At now);
   void step_island(FoundIsland& island, At now);
-  void hold_still(const FoundIsland& island, std::vector<std::size_t>& set,
-                  const std::vector<char>& carries, std::vector<char>& moves) const;
+  void hold_still(const FoundIsland& island, DisjointSets& sets, const std::vector<char>& carries,
+                  std::vector<char>& moves) const;
+  /// What is touched by something that moves on and comes nearer moves too.  `moves`: by the number
+  /// of a set of members that carry each other.
+  void pass_on_motion(const FoundIsland& island, DisjointSets& sets,
+                      std::vector<char>& moves) const;
+  /// The members to which something that touches them would come nearer if they flew on as before.
+  [[nodiscard]] std::vector<char> met(const FoundIsland& island,
+                                      const std::vector<ConeBody>& before) const;
 
   std::shared_ptr<const Motion<P>> shared_motion_;
   const Motion<P>& motion_ = *shared_motion_;
@@ -392,6 +404,7 @@ class EventLoop {
   Time instant_ = 0;                               ///< of the last impact
   std::vector<Past> past_;                         ///< the balls that were hit at that instant
   std::vector<Resolution> resolutions_;            ///< of that instant
+  DisjointSets resolution_sets_;                   ///< those that share balls
   std::vector<int> resolution_of_;                 ///< by ball; -1: it was not hit
   std::vector<Pair> waiting_;                      ///< impacts at that instant still to come
   std::vector<Pair> linked_;    ///< what met at that instant, after a blow or not

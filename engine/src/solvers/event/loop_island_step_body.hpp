@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "contact/cone_island.hpp"
@@ -36,13 +35,10 @@ void EventLoop<P>::step_islands(At now) {
 // What is slow comes to rest only where forces at its contacts hold it: what is pulled moves on. Of
 // many balls, which creep until all contacts carry, slowness decides.
 template <class P>
-void EventLoop<P>::hold_still(const FoundIsland& island, std::vector<std::size_t>& set,
+void EventLoop<P>::hold_still(const FoundIsland& island, DisjointSets& sets,
                               const std::vector<char>& carries, std::vector<char>& moves) const {
   const std::size_t n = island.members.size();
-  const auto find = [&set](std::size_t k) {
-    while (set[k] != k) k = set[k] = set[set[k]];
-    return k;
-  };
+  const auto find = [&sets](std::size_t k) { return sets.find(static_cast<std::uint32_t>(k)); };
   const auto span = static_cast<double>(
       S(motion_.rules().scale.seconds(P::Clock::span(1, motion_.step_shift()))));
   const auto speed = static_cast<double>(motion_.speed_of_step());
@@ -81,6 +77,41 @@ void EventLoop<P>::hold_still(const FoundIsland& island, std::vector<std::size_t
 }
 
 template <class P>
+void EventLoop<P>::pass_on_motion(const FoundIsland& island, DisjointSets& sets,
+                                  std::vector<char>& moves) const {
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+      const ConeContact& c = island.contacts[k];
+      if (c.b == kWall || !island.near[k].touches) continue;
+      const std::uint32_t a = sets.find(static_cast<std::uint32_t>(c.a));
+      const std::uint32_t b = sets.find(static_cast<std::uint32_t>(c.b));
+      if (moves[a] == moves[b]) continue;
+      const ConeBody& moving = island.bodies[static_cast<std::size_t>(moves[a] != 0 ? c.a : c.b)];
+      const double nearer = dot(c.normal, moving.velocity) * (moves[a] != 0 ? 1 : -1);
+      if (!(nearer > 0)) continue;
+      moves[a] = moves[b] = 1;
+      more = true;
+    }
+  }
+}
+
+template <class P>
+std::vector<char> EventLoop<P>::met(const FoundIsland& island,
+                                    const std::vector<ConeBody>& before) const {
+  std::vector<char> met(island.members.size(), 0);
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const ConeContact& c = island.contacts[k];
+    if (c.b == kWall || !island.near[k].touches) continue;
+    const auto a = static_cast<std::size_t>(c.a);
+    const auto b = static_cast<std::size_t>(c.b);
+    if (dot(c.normal, before[a].velocity - island.bodies[b].velocity) > 0) met[a] = 1;
+    if (dot(c.normal, island.bodies[a].velocity - before[b].velocity) > 0) met[b] = 1;
+  }
+  return met;
+}
+
+template <class P>
 void EventLoop<P>::step_island(FoundIsland& island, At now) {
   ++counts_.steps;
   const std::size_t n = island.members.size();
@@ -105,12 +136,9 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
   std::vector<double> loads(island.contacts.size(), 0);
   for (std::size_t k = 0; k < number.size(); ++k) loads[number[k]] = pushes[k];
 
-  std::vector<std::size_t> set(n);
-  std::iota(set.begin(), set.end(), 0U);
-  const auto find = [&set](std::size_t k) {
-    while (set[k] != k) k = set[k] = set[set[k]];
-    return k;
-  };
+  DisjointSets sets;
+  sets.reset(n);
+  const auto find = [&sets](std::size_t k) { return sets.find(static_cast<std::uint32_t>(k)); };
   std::vector<int> loaded(n, 0);
   std::vector<char> on_balls(n, 0);
   std::vector<char> approaches(n, 0);
@@ -131,16 +159,16 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
     if (c.b == kWall) continue;
     ++loaded[b];
     on_balls[b] = 1;
-    set[find(a)] = find(b);
+    sets.merge(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
   }
-  std::vector<char> restless(n, 0);
+  std::vector<char> moves(n, 0);  // by the number of a set
   for (std::size_t m = 0; m < n; ++m) {
     const ConeBody& body = island.bodies[m];
     // Who rests already is not woken by what has not been solved to the end.
     const double most = island.carried[m] == kResting ? 4 * still : still;
     if (std::abs(body.velocity.x) > most || std::abs(body.velocity.y) > most ||
         std::abs(body.turning) > most || loaded[m] == 0) {
-      restless[m] = 1;
+      moves[find(m)] = 1;
     }
   }
   // On a single fixed ball it rests only straight above it.
@@ -150,39 +178,12 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
     if (carries[k] == 0 || c.b != kWall || island.near[k].partner >= kFirstMark) continue;
     const Vec<double> r = in_double(island.near[k].r);
     const double off = std::abs(cross(r, g));
-    if (loaded[a] == 1 && off > 0x1p-40 * std::abs(dot(r, g))) restless[a] = 1;
+    if (loaded[a] == 1 && off > 0x1p-40 * std::abs(dot(r, g))) moves[find(a)] = 1;
   }
-  std::vector<char> moves(n, 0);
-  for (std::size_t m = 0; m < n; ++m) {
-    if (restless[m] != 0) moves[find(m)] = 1;
-  }
-  hold_still(island, set, carries, moves);
-  // What is touched by something that moves on and comes nearer would be hit, and woken, at once.
-  for (bool more = !motion_.elastic(); more;) {
-    more = false;
-    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-      const ConeContact& c = island.contacts[k];
-      if (c.b == kWall || !island.near[k].touches) continue;
-      const std::size_t a = find(static_cast<std::size_t>(c.a));
-      const std::size_t b = find(static_cast<std::size_t>(c.b));
-      if (moves[a] == moves[b]) continue;
-      const ConeBody& moving = island.bodies[static_cast<std::size_t>(moves[a] != 0 ? c.a : c.b)];
-      const double nearer = dot(c.normal, moving.velocity) * (moves[a] != 0 ? 1 : -1);
-      if (!(nearer > 0)) continue;
-      moves[a] = moves[b] = 1;
-      more = true;
-    }
-  }
-  // What leaves the island while something that touches it comes nearer would bring a hit at once.
-  std::vector<char> met(n, 0);
-  for (std::size_t k = 0; k < island.contacts.size() && !motion_.elastic(); ++k) {
-    const ConeContact& c = island.contacts[k];
-    if (c.b == kWall || !island.near[k].touches) continue;
-    const auto a = static_cast<std::size_t>(c.a);
-    const auto b = static_cast<std::size_t>(c.b);
-    if (dot(c.normal, before[a].velocity - island.bodies[b].velocity) > 0) met[a] = 1;
-    if (dot(c.normal, island.bodies[a].velocity - before[b].velocity) > 0) met[b] = 1;
-  }
+  hold_still(island, sets, carries, moves);
+  // Where energy is lost, what comes nearer to what rests, or leaves, would hit the island at once.
+  if (!motion_.elastic()) pass_on_motion(island, sets, moves);
+  const std::vector<char> stay = motion_.elastic() ? std::vector<char>(n, 0) : met(island, before);
   std::vector<char> newly(n, 0);
   for (std::size_t m = 0; m < n; ++m) {
     ConeBody& body = island.bodies[m];
@@ -191,7 +192,7 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
       island.carried[m] = kResting;
       body.velocity = {0, 0};
       body.turning = 0;
-    } else if (loaded[m] == 0 && approaches[m] == 0 && met[m] == 0) {
+    } else if (loaded[m] == 0 && approaches[m] == 0 && stay[m] == 0) {
       island.carried[m] = 0;
       body = before[m];
     } else {
@@ -213,7 +214,7 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
     put_at(island, island.places[a], x ? 0 : 1, motion_.wall(disk, island.places[a], wall).stop,
            motion_.species(disk).inverse_mass);
     // Only walls carry it: it slides on, or rolls, if it does not come to rest.
-    if (on_balls[a] != 0 || approaches[a] != 0 || met[a] != 0) continue;
+    if (on_balls[a] != 0 || approaches[a] != 0 || stay[a] != 0) continue;
     const bool rests = island.carried[a] == kResting && !motion_.elastic();
     if (island.carried[a] != 0 && !rests) island.bodies[a] = before[a];
     (x ? island.bodies[a].velocity.x : island.bodies[a].velocity.y) = 0;

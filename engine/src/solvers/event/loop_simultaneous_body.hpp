@@ -288,12 +288,10 @@ void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<P
 }
 
 template <class P>
-void EventLoop<P>::resolve_alone(Index i, Index partner, At now) {
+void EventLoop<P>::meet_and_note(Index i, Index partner, At now) {
   const bool ball = moves(partner);
-  begin_resolution();
-  remember(i);
-  if (ball) remember(partner);
-  const std::size_t first = past_.size() - (ball ? 2 : 1);
+  const Disk was = disks_[i];
+  const Disk partner_was = ball ? disks_[partner] : Disk{};
   for (const Index k : {i, partner}) {
     if (k == partner && !ball) continue;
     unlink(k);
@@ -301,10 +299,18 @@ void EventLoop<P>::resolve_alone(Index i, Index partner, At now) {
   }
   meet_alone(i, partner, now);
   const double lost = book_.keep();
-  if (log_ != nullptr) log_alone(i, partner, past_[first].disk, past_.back().disk, lost, now);
-  end_resolution();
+  if (log_ != nullptr) log_alone(i, partner, was, partner_was, lost, now);
   if (ball) changed_.push_back(partner);
   changed_.push_back(i);
+}
+
+template <class P>
+void EventLoop<P>::resolve_alone(Index i, Index partner, At now) {
+  begin_resolution();
+  remember(i);
+  if (moves(partner)) remember(partner);
+  meet_and_note(i, partner, now);
+  end_resolution();
 }
 
 // Whether an impact is to be resolved with all that touches; nothing, where it waits for the
@@ -395,19 +401,7 @@ void EventLoop<P>::resolve_group(SimultaneousImpact& instant, const std::vector<
     const Index i = instant.members[static_cast<std::size_t>(contact.a)];
     const Index partner = contact.b == kWall ? instant.stops.front().wall
                                              : instant.members[static_cast<std::size_t>(contact.b)];
-    const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
-    const Disk was = disks_[i];
-    const Disk partner_was = ball ? disks_[partner] : Disk{};
-    for (const Index k : {i, partner}) {
-      if (k == partner && !ball) continue;
-      unlink(k);
-      forget(k);
-    }
-    meet_alone(i, partner, now);
-    const double lost = book_.keep();
-    if (log_ != nullptr) log_alone(i, partner, was, partner_was, lost, now);
-    if (ball) changed_.push_back(partner);
-    changed_.push_back(i);
+    meet_and_note(i, partner, now);
     return;
   }
 

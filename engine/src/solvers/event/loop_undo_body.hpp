@@ -26,8 +26,10 @@ void EventLoop<P>::begin_instant() {
 template <class P>
 void EventLoop<P>::begin_resolution() {
   const std::size_t lines = log_ != nullptr ? log_->impacts.size() : 0;
-  const auto number = static_cast<int>(resolutions_.size());
-  resolutions_.push_back({number, counts_, book_.kept(), lines, {}, 0, 0});
+  const std::size_t number = resolutions_.size();
+  resolution_sets_.make_room(number + 1);
+  resolution_sets_.isolate(static_cast<std::uint32_t>(number));
+  resolutions_.push_back({counts_, book_.kept(), lines, {}, 0, 0});
 }
 
 template <class P>
@@ -39,25 +41,14 @@ void EventLoop<P>::end_resolution() {
 }
 
 template <class P>
-int EventLoop<P>::set_of(Index i) {
-  int set = resolution_of_[i];
-  while (resolutions_[static_cast<std::size_t>(set)].set != set) {
-    set = resolutions_[static_cast<std::size_t>(set)].set;
-  }
-  return resolution_of_[i] = set;
-}
-
-template <class P>
 void EventLoop<P>::remember(Index i) {
   if (motion_.fixed(disks_[i])) return;
-  const int present = resolutions_.back().set;
+  const auto present = static_cast<std::uint32_t>(resolutions_.size() - 1);
   if (is_past(i)) {
-    const int set = set_of(i);
-    const auto [first, last] = std::minmax(set, present);
-    resolutions_[static_cast<std::size_t>(last)].set = first;
+    resolution_sets_.merge(static_cast<std::uint32_t>(resolution_of_[i]), present);
     return;
   }
-  resolution_of_[i] = present;
+  resolution_of_[i] = static_cast<int>(present);
   past_.push_back({i, disks_[i], spins_.empty() ? S(0) : spins_[i], left(i)});
 }
 
@@ -91,14 +82,12 @@ template <class P>
 void EventLoop<P>::take_back(std::vector<Index>& balls) {
   std::vector<char> undone(resolutions_.size(), 0);
   for (const Index k : balls) {
-    if (is_past(k)) undone[static_cast<std::size_t>(set_of(k))] = 1;
+    if (is_past(k)) undone[set_of(k)] = 1;
   }
   const auto add = [&balls](Index k) {
     if (std::find(balls.begin(), balls.end(), k) == balls.end()) balls.push_back(k);
   };
-  const auto is_undone = [&](Index k) {
-    return moves(k) && is_past(k) && undone[static_cast<std::size_t>(set_of(k))] != 0;
-  };
+  const auto is_undone = [&](Index k) { return moves(k) && is_past(k) && undone[set_of(k)] != 0; };
   const auto concerns = [&](const Pair& pair) {
     return is_undone(pair.first) || is_undone(pair.second);
   };
@@ -112,11 +101,7 @@ void EventLoop<P>::take_back(std::vector<Index>& balls) {
   });
   std::vector<char> whole(resolutions_.size(), 0);
   for (std::size_t k = 0; k < resolutions_.size(); ++k) {
-    auto set = static_cast<std::size_t>(resolutions_[k].set);
-    while (resolutions_[set].set != static_cast<int>(set)) {
-      set = static_cast<std::size_t>(resolutions_[set].set);
-    }
-    whole[k] = undone[set];
+    whole[k] = undone[resolution_sets_.find(static_cast<std::uint32_t>(k))];
   }
   for (const Past& past : past_) {
     const Index k = past.ball;
