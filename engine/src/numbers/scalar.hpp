@@ -49,6 +49,12 @@ S root(const S& a) {
   return sqrt(a);
 }
 
+/// The number itself, but 0 for -0: the sign of a zero shows in which order terms were added.
+template <class S>
+S with_plain_zero(const S& a) {
+  return a + S(0);
+}
+
 /// a b + c rounded once in double; a wider scalar is rounded twice, far below what is asked of
 /// it.
 template <class S>

@@ -42,7 +42,7 @@ LoopCore<P>::LoopCore(CoreStart start)
   if (start.from.flights.empty()) {
     for (const Ball& ball : balls_) {
       flights_.push_back(flight_of(ball));
-      spins_.push_back(ball.fixed ? 0 : ball.spin);
+      spins_.push_back(ball.fixed ? 0 : with_plain_zero(ball.spin));
     }
   } else {
     take_flights(start.from, start.source);
@@ -74,10 +74,10 @@ template <class P>
 auto LoopCore<P>::flight_of(const Ball& ball) const -> Disk {
   const Room<S> room(domain_);
   Disk disk;
-  disk.x = room.wrapped(0, ball.position.x());
-  disk.y = room.wrapped(1, ball.position.y());
-  disk.vx = ball.fixed ? 0 : ball.velocity.x();
-  disk.vy = ball.fixed ? 0 : ball.velocity.y();
+  disk.x = with_plain_zero(room.wrapped(0, ball.position.x()));
+  disk.y = with_plain_zero(room.wrapped(1, ball.position.y()));
+  disk.vx = ball.fixed ? 0 : with_plain_zero(ball.velocity.x());
+  disk.vy = ball.fixed ? 0 : with_plain_zero(ball.velocity.y());
   disk.start = now_.ticks;
   return disk;
 }
@@ -547,7 +547,7 @@ void LoopCore<P>::add(const Ball& ball) {
   land();
   balls_.push_back(ball);
   flights_.push_back(flight_of(ball));
-  spins_.push_back(ball.fixed ? 0 : ball.spin);
+  spins_.push_back(ball.fixed ? 0 : with_plain_zero(ball.spin));
   for (auto& turns : turns_before_) {
     if (!turns.empty()) turns.push_back(0);
   }

@@ -96,12 +96,9 @@ template <class P>
 double EventLoop<P>::given_ahead(At now) const {
   double sum = 0;
   if (next_step_ == P::Clock::never()) return sum;
-  const S span = motion_.rules().scale.seconds(next_step_ - now);
-  const Vec<S>& g = motion_.law().pull();
   for (const Disk& disk : disks_) {
     if (motion_.fixed(disk) || motion_.carried(disk) != kStepped) continue;
-    sum += static_cast<double>(
-        S(span * (g.x * disk.vx + g.y * disk.vy) / motion_.species(disk).inverse_mass));
+    sum += motion_.given_ahead(disk, now, next_step_);
   }
   return sum;
 }

@@ -221,7 +221,7 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
   schedule_step(now);
   double span = 0;  // until the next step; 0: for ever
   if (next_step_ != P::Clock::never()) {
-    span = static_cast<double>(S(motion_.rules().scale.seconds(next_step_ - now)));
+    span = motion_.stepped_way(motion_.rules().scale.seconds(next_step_ - now));
   }
   Hits hits = hits_of(island, now);
   counts_.ball_wall += hits.walls;

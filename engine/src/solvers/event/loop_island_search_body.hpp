@@ -169,8 +169,8 @@ double EventLoop<P>::fly_on(FoundIsland& island, At now) {
     Disk& disk = disks_[i];
     disk.x = island.places[m].x;
     disk.y = island.places[m].y;
-    disk.vx = island.bodies[m].velocity.x;
-    disk.vy = island.bodies[m].velocity.y;
+    disk.vx = with_plain_zero(island.bodies[m].velocity.x);
+    disk.vy = with_plain_zero(island.bodies[m].velocity.y);
     if (!spins_.empty()) spins_[i] = island.bodies[m].turning / motion_.species(disk).radius;
     disk.start = now;
     motion_.set_carried(disk, island.carried[m]);

@@ -39,8 +39,8 @@ void EventLoop<P>::hold_still(const FoundIsland& island, DisjointSets& sets,
                               const std::vector<char>& carries, std::vector<char>& moves) const {
   const std::size_t n = island.members.size();
   const auto find = [&sets](std::size_t k) { return sets.find(static_cast<std::uint32_t>(k)); };
-  const auto span = static_cast<double>(
-      S(motion_.rules().scale.seconds(P::Clock::span(1, motion_.step_shift()))));
+  const double span =
+      motion_.stepped_way(motion_.rules().scale.seconds(P::Clock::span(1, motion_.step_shift())));
   const auto speed = static_cast<double>(motion_.speed_of_step());
   const Vec<double> g = in_double(motion_.law().pull());
   for (std::size_t first = 0; first < n; ++first) {
@@ -116,8 +116,8 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
   ++counts_.steps;
   const std::size_t n = island.members.size();
   const Vec<double> g = in_double(motion_.law().pull());
-  const auto span = static_cast<double>(
-      S(motion_.rules().scale.seconds(P::Clock::span(1, motion_.step_shift()))));
+  const double span =
+      motion_.stepped_way(motion_.rules().scale.seconds(P::Clock::span(1, motion_.step_shift())));
   const auto speed = static_cast<double>(motion_.speed_of_step());
   const double still = (motion_.elastic() ? kStill * kStill : kStill) * speed;
   const std::vector<ConeBody> before = island.bodies;

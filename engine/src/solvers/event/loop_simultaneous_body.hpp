@@ -442,8 +442,8 @@ void EventLoop<P>::resolve_group(SimultaneousImpact& instant, const std::vector<
     if (same) continue;
     disk.x = instant.places[k].x;
     disk.y = instant.places[k].y;
-    disk.vx = instant.bodies[k].velocity.x;
-    disk.vy = instant.bodies[k].velocity.y;
+    disk.vx = with_plain_zero(instant.bodies[k].velocity.x);
+    disk.vy = with_plain_zero(instant.bodies[k].velocity.y);
     if (!spins_.empty()) spins_[m] = instant.spins[k];
     disk.start = now;
     if (!left_.empty() && !same) left_[m] = kUnknown;

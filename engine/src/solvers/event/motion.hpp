@@ -232,6 +232,20 @@ class Motion {
   /// What gravity makes in a step.
   [[nodiscard]] const S& speed_of_step() const { return speed_of_step_; }
   [[nodiscard]] const S& pull() const { return pull_; }
+  /// How far what is stepped goes in so many seconds at a speed of 1, and how fast gravity makes it
+  /// in an acceleration of 1: drag slows it.
+  [[nodiscard]] double stepped_way(const S& seconds) const {
+    const Flight<S> flight{{S(0), S(0)}, {S(1), S(0)}};
+    return static_cast<double>(carried_laws_[kLying].displacement(flight, seconds).x);
+  }
+  /// The energy that gravity has given to what is stepped ahead of what it falls until the next
+  /// step.
+  [[nodiscard]] double given_ahead(const Disk& disk, At now, At next) const {
+    const S span = stepped_way(rules_.scale.seconds(next - now));
+    const Vec<S>& g = law_.pull();
+    const Vec<S> v = velocity(disk, now);
+    return static_cast<double>(S(span * (g.x * v.x + g.y * v.y) / species(disk).inverse_mass));
+  }
   /// The seconds of a step.
   [[nodiscard]] S seconds_of_step() const { return speed_of_step_ / pull_; }
   /// Rule 3, where nothing loses energy along a normal: two that slip past each other and approach

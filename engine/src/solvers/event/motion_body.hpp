@@ -254,7 +254,7 @@ double Motion<P>::bounce(Disk& disk, S* spin, Index wall, At now) const {
   double lost = 0;
   if (spin != nullptr) lost = apply_wall_friction(disk, *spin, axis, side, arrival);
   x = stop;
-  v = side * wall_impact(arrival, S(rules_.wall_restitution));
+  v = with_plain_zero(S(side * wall_impact(arrival, S(rules_.wall_restitution))));
   if (rules_.wall_restitution < 1) {
     const auto speed = static_cast<double>(arrival);
     lost += lost_to_restitution(speed, rules_.wall_restitution * speed,

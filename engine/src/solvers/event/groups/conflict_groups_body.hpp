@@ -511,13 +511,9 @@ double ConflictGroups<P>::given_ahead(At now) const {
   const int shift = motion_->step_shift();
   if (!(motion_->pull() > 0)) return sum;
   const Time next = P::Clock::span(P::Clock::steps(now, shift) + 1, shift);
-  const S span = motion_->rules().scale.seconds(next - now);
-  const Vec<S>& g = motion_->law().pull();
   for (const Index i : movers_) {
     const Disk& disk = flight(i);
-    if (motion_->carried(disk) != kStepped) continue;
-    sum += static_cast<double>(
-        S(span * (g.x * disk.vx + g.y * disk.vy) / motion_->species(disk).inverse_mass));
+    if (motion_->carried(disk) == kStepped) sum += motion_->given_ahead(disk, now, next);
   }
   return sum;
 }
