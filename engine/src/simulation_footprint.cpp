@@ -5,7 +5,7 @@
 
 #include "contact/cell_grid.hpp"
 #include "solvers/event/make_core.hpp"
-#include "solvers/overlap_plan.hpp"
+#include "solvers/overlap/plan.hpp"
 
 namespace carom {
 
@@ -65,7 +65,7 @@ Footprint footprint(const Scene& scene, const std::vector<Ball>& balls) {
   if (scene.effects.friction) result.columns.emplace_back("spin", n * kNumber);
   if (scene.effects.attraction) result.columns.emplace_back("pull", 2 * n * kNumber);
   result.barriers = {"do_frame", scene.effects.walls ? "wall_computation" : "flight"};
-  const OverlapPlan plan(scene.effects, n, result.workers);
+  const overlap::Plan plan(scene.effects, n, result.workers);
   if (plan.pairs) {
     if (plan.neighbour_list) {
       result.lists.emplace_back("pairs", listed_pairs(scene, balls) * PairList::kBytesOfPair);

@@ -5,7 +5,7 @@
 
 #include "carom/scene_file.hpp"
 #include "carom/session.hpp"
-#include "solvers/overlap.hpp"
+#include "solvers/overlap/solver.hpp"
 #include "support/scenes.hpp"
 
 namespace carom {

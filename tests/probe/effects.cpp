@@ -5,7 +5,7 @@
 #include <string>
 
 #include "solvers/integrated/solver.hpp"
-#include "solvers/overlap.hpp"
+#include "solvers/overlap/solver.hpp"
 
 namespace {
 

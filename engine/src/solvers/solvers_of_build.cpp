@@ -5,7 +5,7 @@
 
 #include "solvers/event/solver.hpp"
 #include "solvers/integrated/solver.hpp"
-#include "solvers/overlap.hpp"
+#include "solvers/overlap/solver.hpp"
 
 namespace carom {
 

@@ -1,21 +1,19 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "contact/cell_grid.hpp"
 #include "contact/groups.hpp"
 #include "contact/lasting_contacts.hpp"
-#include "contact/missed.hpp"
-#include "contact/pair_list.hpp"
 #include "effects/collisions.hpp"
-#include "effects/flight.hpp"
-#include "effects/friction.hpp"
-#include "effects/walls.hpp"
-#include "solvers/overlap_plan.hpp"
+#include "solvers/overlap/island_rounds.hpp"
+#include "solvers/overlap/pair_search.hpp"
+#include "solvers/overlap/plan.hpp"
+#include "solvers/overlap/step_flight.hpp"
+#include "solvers/overlap/step_rules.hpp"
+#include "solvers/overlap/work.hpp"
 #include "solvers/solver.hpp"
 #include "state/balls.hpp"
 #include "state/domain.hpp"
@@ -41,7 +39,7 @@ namespace carom {
 /// the pull where the balls are then; so one sum over all balls in a step is enough.
 ///
 /// Work that is too little to share is done between two phases by the worker that arrives last; a
-/// scene that starts too small ever to share it does not have the phase: see OverlapPlan.
+/// scene that starts too small ever to share it does not have the phase: see overlap::Plan.
 ///
 /// Where contacts can last, balls that touch are solved island by island instead, walls included,
 /// and fall asleep: see contact/lasting_contacts.hpp.  When all are asleep a step costs nothing.
@@ -49,8 +47,7 @@ namespace carom {
 /// Holds: no memory from step to step beside the balls: lists of pairs never change the result.
 class OverlapSolver final : public Solver {
  public:
-  /// Which pairs are looked at; every choice gives the same result.
-  enum class Pairs { automatic, all, neighbours };
+  using Pairs = overlap::PairSearch::Pairs;
 
   explicit OverlapSolver(const Scene& scene, const std::vector<Ball>& balls,
                          Pairs pairs = Pairs::automatic);
@@ -76,101 +73,59 @@ class OverlapSolver final : public Solver {
   void take_impacts(std::vector<Impact>& impacts, bool of_all) override;
 
  private:
-  // What one worker writes, apart from what others write.
-  struct alignas(128) Desk {
-    PairList neighbours;
-    std::vector<Pair> touching;
-    std::vector<Bullet> bullets;
-    std::vector<std::uint32_t> out;  // beyond a wall, where contacts last
-    contact::IslandStep island;
-    contact::LastingContacts::Count lasting;
-    effects::ImpactCount impacts;
-    double deepest = 0;
-    double moved_square = 0;  // of the ball that has moved farthest since the list was built
-    EffectSeconds seconds;
-    std::array<std::vector<effects::WallImpact>, 2> met;  // across each axis, by a block
-  };
-
+  // The phases.
   void fly(Share share);
-  void fly(std::size_t begin, std::size_t end, Desk& desk, effects::Struck* struck);
-  void note_walls(std::size_t begin, const effects::FrictionBlock* by_friction, Desk& desk) const;
-  void count_missed_hits();
-  void note_moves(std::size_t begin, std::size_t end, Desk& desk) const;
-  void search(Share share);
   void detect(Share share);
   void resolve(Share share);
   void pull(Share share);
+  // What is done between two phases; each gives the next one.
   [[nodiscard]] std::size_t after_flight();
   [[nodiscard]] std::size_t after_detection();
+  [[nodiscard]] std::size_t resolve_groups();
   [[nodiscard]] std::size_t form_islands();
   [[nodiscard]] std::size_t resolve_islands();
   [[nodiscard]] std::size_t after_islands();
-  [[nodiscard]] bool join_islands();
-  void find_far_overlaps(std::vector<Pair>& fresh);
-  void resolve_island(std::size_t island, Desk& desk);
-  [[nodiscard]] std::vector<Pair> near_pairs();
   [[nodiscard]] std::size_t after_impacts();
   [[nodiscard]] std::size_t after_pull();
   [[nodiscard]] std::size_t end_step();
 
-  [[nodiscard]] bool loses() const;
   void resolve_group(std::size_t group, effects::ImpactCount& count);
+  void resolve_island(std::size_t island, overlap::Work& work);
   void renew_rules();
-  void forget_pairs();
-  [[nodiscard]] bool collides() const { return effects_.collisions && effects_.collisions->on; }
+  void renew_balls(const std::vector<Ball>& balls);
   [[nodiscard]] bool timed() const;
-  [[nodiscard]] bool many() const;
-  [[nodiscard]] bool list_is_stale() const;
-  void build_grid();
-  void build_list();
 
   Box box_;
   Domain domain_;
   Effects effects_;
   Balls balls_;
-  Pairs choice_;
-  OverlapPlan plan_;  // as the scene started
+  overlap::Plan plan_;  // as the scene started
   // The numbers of the phases; those that are not there have none.
   static constexpr std::size_t kFly = 0;
   std::size_t detect_ = 0;
   std::optional<std::size_t> search_;
   std::optional<std::size_t> resolve_;
   std::optional<std::size_t> attract_;
-  double step_;
   double step_origin_ = 0;
   std::uint64_t steps_ = 0;   // since step_origin_
   std::uint64_t target_ = 0;  // the step to stop at
   std::uint64_t taken_ = 0;   // since this solver was made
   std::uint64_t missed_ = 0;  // hits that lay between two steps
-  double smallest_radius_ = 0;
-  bool pull_known_ = false;  // the pull is that of the present places
+  bool pull_known_ = false;   // the pull is that of the present places
   bool in_step_ = false;
   bool recording_ = false;
   Turns turns_;
   Losses losses_;
-
-  // What a step takes of the effects, worked out anew where one of them or the step changes.
-  double drag_rate_ = 0;
-  std::array<Glide, 2> glide_;
-  std::array<effects::WallRule, 2> wall_rule_;
-  effects::CollisionRule rule_;
-  effects::GroupResolver resolver_{domain_, rule_, turns_};
-  contact::LastingRule lasting_rule_;
-  contact::LastingContacts contacts_{domain_, lasting_rule_, turns_};
-  bool lasting_ = false;      // contacts that last are looked for
-  bool know_asleep_ = false;  // who is asleep has been found
-  int rounds_ = 0;            // of this step: how often islands have been joined
+  overlap::StepRules rules_;
+  overlap::PairSearch pairs_;
+  effects::GroupResolver resolver_{domain_, rules_.collision, turns_};
+  contact::LastingContacts contacts_{domain_, rules_.lasting, turns_};
+  overlap::IslandRounds rounds_{balls_, rules_, pairs_, contacts_};
+  overlap::StepFlight flight_{balls_, domain_, rules_, contacts_, pairs_, losses_, turns_};
   std::vector<std::uint32_t> out_;
-  PairList all_pairs_;
-  CellGrid grid_;
-  std::array<Balls::Column, 2> anchor_;  // where the balls were when the list was built
-  double skin_ = 0;
-  double stretch_ = 1;  // balls closer than this factor of their reach count as touching
-  double near_ = 0;     // how far apart those are
-  bool listed_ = false;
   std::vector<Pair> touching_;
   Groups groups_;
-  std::vector<Desk> desks_;
+  std::vector<overlap::Work> work_;
 };
 
 }  // namespace carom

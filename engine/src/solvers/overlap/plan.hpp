@@ -4,7 +4,7 @@
 
 #include "carom/effects.hpp"
 
-namespace carom {
+namespace carom::overlap {
 
 /// Which pairs method `overlap` looks at, and which phases its workers have: what the size of a
 /// scene calls for when it starts.
@@ -12,7 +12,7 @@ namespace carom {
 /// A phase that would never be entered is not there, nor is its barrier; what it would do is done
 /// between two phases by the worker that arrives last.  The pairs follow the number of balls as it
 /// changes, the phases stay: none of it changes the result.
-struct OverlapPlan {
+struct Plan {
   static constexpr std::size_t kManyBalls = 64;       ///< from here on a list of neighbours pays
   static constexpr std::size_t kSharedSearch = 2048;  ///< balls whose neighbours are worth sharing
   static constexpr std::size_t kSharedPairs = 256;    ///< touching pairs worth sharing
@@ -24,8 +24,8 @@ struct OverlapPlan {
   bool shared_resolution = false;  ///< there is a phase pair_resolution
   bool attraction = false;         ///< there is a phase attraction
 
-  OverlapPlan() = default;
-  OverlapPlan(const Effects& effects, std::size_t balls, std::size_t workers)
+  Plan() = default;
+  Plan(const Effects& effects, std::size_t balls, std::size_t workers)
       : pairs(effects.collisions.has_value()),
         neighbour_list(pairs && balls >= kManyBalls),
         attraction(effects.attraction.has_value()) {
@@ -35,4 +35,4 @@ struct OverlapPlan {
   }
 };
 
-}  // namespace carom
+}  // namespace carom::overlap
