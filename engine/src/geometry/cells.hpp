@@ -47,6 +47,8 @@ class Cells {
     return row * axes_[0].count + column;
   }
   [[nodiscard]] Number at(double x, double y) const { return number(along(0, x), along(1, y)); }
+  [[nodiscard]] Number column(Number cell) const { return cell % axes_[0].count; }
+  [[nodiscard]] Number row(Number cell) const { return cell / axes_[0].count; }
 
   /// The cells of an axis that are a place or less from this one, each once.
   [[nodiscard]] Near near(std::size_t axis, Number place) const {
@@ -66,6 +68,10 @@ class Cells {
     for (const Number r : near(1, row)) {
       for (const Number c : columns) visit(number(c, r));
     }
+  }
+  template <class Visit>
+  void each_near(Number cell, Visit&& visit) const {
+    each_near(column(cell), row(cell), visit);
   }
 
  private:

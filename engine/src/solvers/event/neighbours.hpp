@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/cells.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/huge_pages.hpp"
 #include "solvers/event/motion.hpp"
@@ -78,7 +79,7 @@ class Neighbours {
   }
   void choose_skin(const Disks& disks, double area);
   void set_square(const typename P::Disk& disk, Index i, const Flight<S>& here);
-  [[nodiscard]] std::uint32_t cell_of(const Centre& at) const;
+  [[nodiscard]] std::uint32_t cell_of(const Centre& at) const { return plane_.at(at.x, at.y); }
   [[nodiscard]] std::uint32_t gather(std::uint32_t cell);
   [[nodiscard]] std::uint32_t keep_near(const Disks& disks, Index i, std::uint32_t candidates);
   void list(const Disks& disks, Index i);
@@ -91,9 +92,8 @@ class Neighbours {
   HugeVector<Centre> centres_;
   HugeVector<std::uint32_t> cell_;
   Lists lists_;
-  ShortLists<6> cells_;
-  std::array<std::uint32_t, 2> count_{1, 1};  ///< columns and rows of cells
-  std::array<double, 2> per_length_{1, 1};
+  Cells plane_;
+  ShortLists<6> cells_;  ///< the balls of each
   std::vector<Index> found_;
   std::vector<Index> fresh_;
   std::uint32_t fresh_count_ = 0;

@@ -40,29 +40,20 @@ void Neighbours<P>::reset(const Disks& disks, typename P::At now) {
   const double most = 2 * std::sqrt(static_cast<double>(disks.size())) + 1;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double length = length_of(axis);
-    count_[axis] = static_cast<std::uint32_t>(std::clamp(length / range, 1.0, 4 * most));
-    per_length_[axis] = count_[axis] / length;
+    plane_.divide(axis, domain.lower[axis], length, std::min(length / range, 4 * most),
+                  domain.period[axis] > 0);
   }
   const auto n = static_cast<Index>(disks.size());
   centres_.resize(n);
   cell_.resize(n);
   lists_.reset(n);
-  cells_.reset(std::size_t{count_[0]} * count_[1]);
+  cells_.reset(plane_.size());
   for (Index i = 0; i < n; ++i) {
     set_square(disks[i], i, motion_.at(disks[i], now));
     cell_[i] = cell_of(centres_[i]);
     cells_.add(cell_[i], i);
   }
   for (Index i = 0; i < n; ++i) list(disks, i);
-}
-
-template <class P>
-std::uint32_t Neighbours<P>::cell_of(const Centre& at) const {
-  const auto along = [&](double x, std::size_t axis) {
-    const double cells = (x - motion_.rules().domain.lower[axis]) * per_length_[axis];
-    return static_cast<std::uint32_t>(std::clamp(cells, 0.0, count_[axis] - 1.0));
-  };
-  return along(at.y, 1) * count_[0] + along(at.x, 0);
 }
 
 template <class P>
@@ -119,41 +110,20 @@ template <class P>
 
 template <class P>
 std::uint32_t Neighbours<P>::gather(std::uint32_t cell) {
-  const Domain& domain = motion_.rules().domain;
-  const std::array<int, 2> middle{static_cast<int>(cell % count_[0]),
-                                  static_cast<int>(cell / count_[0])};
-  std::array<std::array<int, 3>, 2> at{};
-  std::array<int, 2> many{};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const int count = static_cast<int>(count_[axis]);
-    for (int step = -1; step <= 1; ++step) {
-      int k = middle[axis] + step;
-      if (k < 0 || k >= count) {
-        // With one or two cells, what lies round the corner is there already.
-        if (!(domain.period[axis] > 0) || count < 3) continue;
-        k = (k + count) % count;
-      }
-      at[axis][static_cast<std::size_t>(many[axis]++)] = k;
-    }
-  }
   std::uint32_t candidates = 0;
   const auto take = [&](const auto& node) {
     if (found_.size() < candidates + 16) found_.resize(2 * found_.size() + 64);
     std::memcpy(&found_[candidates], node.item, sizeof node.item);
     candidates += node.count;
   };
-  for (int r = 0; r < many[1]; ++r) {
-    for (int c = 0; c < many[0]; ++c) {
-      const int number = at[1][static_cast<std::size_t>(r)] * static_cast<int>(count_[0]) +
-                         at[0][static_cast<std::size_t>(c)];
-      const auto* node = &cells_.first(static_cast<std::uint32_t>(number));
+  plane_.each_near(cell, [&](Cells::Number c) {
+    const auto* node = &cells_.first(c);
+    take(*node);
+    while (node->next != 0) {
+      node = &cells_.after(*node);
       take(*node);
-      while (node->next != 0) {
-        node = &cells_.after(*node);
-        take(*node);
-      }
     }
-  }
+  });
   return candidates;
 }
 
@@ -245,8 +215,9 @@ std::span<const Index> Neighbours<P>::around(double x, double y) {
 template <class P>
 template <class Visit>
 void Neighbours<P>::each_cell_around(Index i, Visit visit) const {
-  const std::uint32_t last = count_[0] * count_[1] - 1;
-  for (const std::uint32_t row : {cell_[i] - count_[0], cell_[i], cell_[i] + count_[0]}) {
+  const auto last = static_cast<std::uint32_t>(plane_.size()) - 1;
+  const std::uint32_t columns = plane_.count(0);
+  for (const std::uint32_t row : {cell_[i] - columns, cell_[i], cell_[i] + columns}) {
     for (std::uint32_t c = 0; c < 3; ++c) visit(cells_.first(std::min(row + c - 1, last)));
   }
 }

@@ -200,10 +200,11 @@ void DomainLoop<P>::list_all() {
   const bool any_large = !large_.empty();
   const auto begin_of = [&](int c) { return c == 0 ? 0U : ends_[static_cast<std::size_t>(c) - 1]; };
   const auto end_of = [&](int c) { return ends_[static_cast<std::size_t>(c)]; };
-  const int columns = cells_.count(0);
-  const int rows = cells_.count(1);
+  const Cells& plane = cells_.plane();
+  const int columns = static_cast<int>(plane.count(0));
+  const int rows = static_cast<int>(plane.count(1));
   for (int y = 0; y < rows; ++y) {
-    const bool has_next = y + 1 < rows || cells_.wraps(1);
+    const bool has_next = y + 1 < rows || plane.wraps(1);
     const int next = (y + 1 < rows ? y + 1 : 0) * columns;
     for (int x = 0; x < columns; ++x) {
       const int c = y * columns + x;
@@ -218,12 +219,12 @@ void DomainLoop<P>::list_all() {
         };
         const bool at_end = x + 1 == columns;
         seek(i + 1, end_of(at_end ? c : c + 1));
-        if (at_end && cells_.wraps(0)) seek(begin_of(y * columns), end_of(y * columns));
+        if (at_end && plane.wraps(0)) seek(begin_of(y * columns), end_of(y * columns));
         if (has_next) {
           seek(begin_of(next + std::max(x - 1, 0)), end_of(next + std::min(x + 1, columns - 1)));
-          if (cells_.wraps(0) && x == 0)
+          if (plane.wraps(0) && x == 0)
             seek(begin_of(next + columns - 1), end_of(next + columns - 1));
-          if (cells_.wraps(0) && at_end) seek(begin_of(next), end_of(next));
+          if (plane.wraps(0) && at_end) seek(begin_of(next), end_of(next));
         }
         pair_up(me, from);
       }
