@@ -1,38 +1,21 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "contact/disjoint_sets.hpp"
 #include "contact/impact_log.hpp"
-#include "contact/lasting_island.hpp"
+#include "contact/lasting_islands.hpp"
+#include "contact/lasting_rule.hpp"
+#include "contact/lasting_step.hpp"
 #include "contact/pair_list.hpp"
+#include "contact/sleepers.hpp"
+#include "contact/step_start.hpp"
 #include "state/balls.hpp"
 #include "state/domain.hpp"
 #include "state/totals.hpp"
 
 namespace carom::contact {
-
-/// What contacts that last depend on beside the balls.
-struct LastingRule {
-  double step = 0;
-  Vec2 acceleration{0, 0};
-  std::array<double, 2> fall{0, 0};  ///< how far a ball at rest flies in a step, by axis
-  std::array<double, 2> gain{0, 0};  ///< and how fast it is then
-  double restitution = 1;
-  double wall_restitution = 1;
-  double friction = 0;
-  double wall_friction = 0;
-  double rest_speed = 0;
-  double fading = 1;          ///< see IslandStep::Rule
-  bool keeps_energy = false;  ///< see IslandStep::Rule
-};
-
-/// Whether lasting contacts are looked for: gravity presses balls together that come to rest by
-/// losses, or whose masses differ so much that one lies on the other for many steps.
-[[nodiscard]] bool contacts_last(const Effects& effects, const Balls& balls);
 
 /// The islands of balls that touch in a step of method `overlap`, and which balls are asleep.
 ///
@@ -42,6 +25,9 @@ struct LastingRule {
 /// those are put back, joined and solved again; so what is merely near costs nothing.
 /// Balls that stand still and that forces within the friction cones can hold are asleep: they are
 /// part of no island, until a ball that is awake comes into one of them.
+///
+/// Who is asleep: sleepers.hpp; how islands are found: lasting_islands.hpp, foreseen_links.hpp; how
+/// one is solved: lasting_step.hpp, island.hpp.
 ///
 /// Holds: nothing is remembered beside the balls: who is asleep stands still exactly, and is found
 /// asleep again.  No order of balls or pairs changes a bit.
@@ -58,7 +44,7 @@ class LastingContacts {
   };
 
   LastingContacts(const Domain& domain, const LastingRule& rule, Turns& turns)
-      : domain_(domain), rule_(rule), turns_(turns) {}
+      : domain_(domain), rule_(rule), step_(domain, rule, turns) {}
   LastingContacts(const LastingContacts&) = delete;
   LastingContacts& operator=(const LastingContacts&) = delete;
 
@@ -66,8 +52,8 @@ class LastingContacts {
   /// others they are near, `pairs`, and are held.
   void wake_all(const Balls& balls);
   void find_asleep(const Balls& balls, std::span<const Pair> near);
-  [[nodiscard]] bool all_asleep() const { return awake_ == 0; }
-  [[nodiscard]] bool asleep(std::size_t ball) const { return asleep_[ball] != 0; }
+  [[nodiscard]] bool all_asleep() const { return sleepers_.all_asleep(); }
+  [[nodiscard]] bool asleep(std::size_t ball) const { return sleepers_.asleep(ball); }
 
   /// Before a flight: notes where balls [begin, end) start.
   void begin(const Balls& balls, std::size_t begin, std::size_t end);
@@ -97,49 +83,14 @@ class LastingContacts {
   void settle(std::span<double> lost, Count& count, ImpactLog& log);
 
  private:
-  using Island = LastingIsland;
-  using Member = LastingIsland::Member;
-
-  void wake_struck(Balls& balls, std::span<const Pair> near);
-  void wake(Balls& balls, std::uint32_t ball);
-  [[nodiscard]] bool overlap(const Balls& balls, const Pair& pair) const {
-    return closer(balls, pair, 0);
-  }
-  [[nodiscard]] bool closer(const Balls& balls, const Pair& pair, double gap) const;
-  [[nodiscard]] bool moves(const Balls& balls, std::uint32_t ball) const {
-    return !balls.fixed(ball) && asleep_[ball] == 0;
-  }
-  void foresee_links(const Balls& balls, std::span<const Pair> near,
-                     std::span<const std::uint32_t> out, double gap);
-  void assemble(const Balls& balls, std::span<const Pair> near, double gap);
-  void undo(Balls& balls, const Island& island);
-  void add_member(Island& island, const Balls& balls, std::uint32_t ball);
-  void add_pair(Island& island, const Balls& balls, int a, int b, const Pair& pair) const;
-  [[nodiscard]] bool has_walls() const { return domain_.solid(0) || domain_.solid(1); }
-  void number_members(std::size_t first_island);
-  [[nodiscard]] IslandStep::Rule step_rule(const Frame& frame) const;
-  void put(Balls& balls, Member& member, const Vec2& place, const Vec2& velocity, double spin);
+  [[nodiscard]] bool beyond_wall(const Balls& balls, std::size_t ball) const;
 
   const Domain& domain_;
   const LastingRule& rule_;
-  Turns& turns_;
-  std::array<std::vector<double>, 2> start_;
-  std::array<std::vector<double>, 2> before_;
-  std::vector<char> asleep_;
-  std::vector<char> slept_;  // as it was at the start of the step
-  std::vector<char>
-      driven_;  // beyond a wall that was not near: then its walls are near in this step
-  std::size_t awake_ = 0;
-  std::size_t sleepers_ = 0;
-  std::size_t woken_ = 0;  // in this step
-  DisjointSets sets_;
-  std::vector<int> island_of_;  // by root ball
-  std::vector<int> member_of_;  // by ball: its island; less than 0: none
-  std::vector<int> place_;      // by ball: its number there
-  std::vector<Island> islands_;
-  std::vector<std::uint32_t> seeds_;  // whose islands are to be found
-  std::vector<double> pushes_;        // by ball: how far contacts may push it in this step
-  std::vector<Pair> linked_;          // in this step, though they do not touch after the flight
+  StepStart start_;
+  Sleepers sleepers_{domain_, rule_, start_};
+  LastingIslands islands_{domain_, rule_, start_, sleepers_};
+  LastingStep step_;
 };
 
 }  // namespace carom::contact

@@ -3,7 +3,8 @@
 #include <array>
 
 #include "carom/effects.hpp"
-#include "contact/lasting_contacts.hpp"
+#include "contact/contacts_last.hpp"
+#include "contact/lasting_rule.hpp"
 #include "effects/collisions.hpp"
 #include "effects/flight.hpp"
 #include "effects/walls.hpp"
