@@ -76,6 +76,18 @@ TEST(EventWorkers, GiveTheSameBitsInEveryScene) {
   EXPECT_GT(scenes, 15U);
 }
 
+// What comes to an island of many contacts before its next step is resolved with an impact on it,
+// of whichever group it was.
+TEST(EventWorkers, GiveTheSameBitsInAHeapThatOthersFallOn) {
+  Scene scene = parse_scene(
+      R"({"box": {"width": 12, "height": 40}, "seed": 4, "solver": {"method": "event"},
+          "effects": {"walls": {"restitution": 0.3}, "collisions": {"restitution": 0.3},
+                      "gravity": [0, -9.81]},
+          "fill": [{"count": 140, "radius": 0.5, "temperature": 0.1, "arrangement": "random"}]})",
+      "heap");
+  expect_same_with_any_workers(scene, 2, "heap");
+}
+
 TEST(EventWorkers, GiveTheSameBitsInMoreDigits) {
   Scene scene = test::walled_gas(4, 4, 0.4);
   scene.effects.gravity = Gravity{{0.1, -2}};

@@ -49,11 +49,13 @@ namespace carom::event {
 // diameter of a wall and both have been hit within 2^-16 instead of 2^-12; or, where there is drag,
 // one is fixed and the other comes at less than 2^-12 sqrt(s g). A harder impact on an island is
 // resolved for all of it at once: by the least impulses after which it parts e times as fast as it
-// came and nothing closes.  A ball that nothing in the island carries leaves it.  An island gains
-// no energy, counted without what gravity has given it ahead of its fall.  Where nothing loses
-// energy along a normal, a step holds only what approaches no faster than 2 h (g + u^2 / s), u the
-// slip, as gravity and the turning normal of a contact that lasts make it; what comes faster, or to
-// a wall, is an impact at its own time.
+// came and nothing closes.  Where an island has more than kFewContacts contacts, what comes to it
+// before its next step, and is within kAhead of it, is resolved with the impact, that much too
+// early: a step of a large heap sees many.  A ball that nothing in the island carries leaves it.
+// An island gains no energy, counted without what gravity has given it ahead of its fall.  Where
+// nothing loses energy along a normal, a step holds only what approaches no faster than
+// 2 h (g + u^2 / s), u the slip, as gravity and the turning normal of a contact that lasts make it;
+// what comes faster, or to a wall, is an impact at its own time.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of
@@ -102,6 +104,9 @@ inline constexpr double kTouching = 0x1p-31;
 /// looks at together, as a part of their contact's distance.
 inline constexpr double kStep = 0x1p-5;
 inline constexpr double kNear = 0x1p-6;
+/// Rule 3: how near are those that come to an island of many contacts before its next step, and are
+/// resolved with an impact on it.
+inline constexpr double kAhead = 0x1p-6;
 /// An instant with more contacts than this is one of an island.
 inline constexpr int kManyContacts = 16;
 

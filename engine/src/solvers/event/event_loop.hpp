@@ -316,7 +316,9 @@ class EventLoop {
   void put_at(FoundIsland& island, Vec<S>& at, std::size_t axis, const S& stop,
               const S& inverse_mass) const;
   void join(FoundIsland& island, Index i, At now);
-  void gather(FoundIsland& island, At now);
+  void gather(FoundIsland& island, At now, bool ahead);
+  void add_near(FoundIsland& island, std::size_t first, At now, bool joins);
+  void add_coming(FoundIsland& island, At now);  // loop_island_coming_body.hpp
   static void put_in_order(FoundIsland& island);
   /// Gives what was lost.
   double fly_on(FoundIsland& island, At now);

@@ -35,7 +35,8 @@ void EventLoop<P>::hit_islands(std::vector<std::vector<Index>> hits, At now) {
     for (const Index m : members) {
       if (number_[m] < 0) join(island, m, now);
     }
-    gather(island, now);
+    schedule_step(now);
+    gather(island, now, true);
     return island;
   };
   std::vector<FoundIsland> islands;
@@ -108,7 +109,7 @@ auto EventLoop<P>::hits_of(const FoundIsland& island, At now) const -> Hits {
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const ConeContact& c = island.contacts[k];
     const typename FoundIsland::Near& near = island.near[k];
-    if (!near.touches) continue;
+    if (!near.touches && !near.comes) continue;
     const auto a = static_cast<std::size_t>(c.a);
     const double speed = approach(island, k);
     if (speed < -kStill * speed_of_step) continue;

@@ -19,6 +19,7 @@ struct EventLoop<P>::FoundIsland {
     Vec<S> r;                  ///< between balls: from the first centre to the second
     Index partner = kUnknown;  ///< what it is with, where that never moves: a wall or a ball
     bool touches = false;
+    bool comes = false;  ///< it will touch before the next step, and is resolved ahead of that
   };
 
   std::vector<Index> members;
@@ -74,15 +75,25 @@ void EventLoop<P>::join(FoundIsland& island, Index i, At now) {
 }
 
 // All balls that can be reached from the members over near contacts of balls that are of an island.
+// `ahead`: where there are many, also those that come to them before the next step.
 template <class P>
-void EventLoop<P>::gather(FoundIsland& island, At now) {
-  if (!motion_.rules().collisions) {
-    for (const Index m : island.members) number_[m] = -1;
-    return;
+void EventLoop<P>::gather(FoundIsland& island, At now, bool ahead) {
+  if (motion_.rules().collisions) {
+    add_near(island, 0, now, true);
+    const bool many = island.contacts.size() > kFewContacts;
+    if (many && ahead) add_coming(island, now);
   }
+  for (const Index m : island.members) number_[m] = -1;
+  if (island.contacts.size() > kFewContacts) put_in_order(island);
+}
+
+// The near contacts of the members from `first` on, which are the last ones.  `joins`: what they
+// are with becomes a member if it is of an island.
+template <class P>
+void EventLoop<P>::add_near(FoundIsland& island, std::size_t first, At now, bool joins) {
   const double friction = motion_.rules().friction;
   std::vector<Index> around;
-  for (std::size_t m = 0; m < island.members.size(); ++m) {
+  for (std::size_t m = first; m < island.members.size(); ++m) {
     const Index i = island.members[m];
     const Vec<S> here = island.places[m];
     const S radius = motion_.species(disks_[i]).radius;
@@ -91,7 +102,7 @@ void EventLoop<P>::gather(FoundIsland& island, At now) {
     for (const Index j : around) {
       if (j == i || number_[j] > number_[i]) continue;  // it is found from there, too
       const bool fixed = motion_.fixed(disks_[j]);
-      if (number_[j] < 0 && !fixed && !motion_.in_island(disks_[j])) continue;
+      if (number_[j] < 0 && !fixed && !(joins && motion_.in_island(disks_[j]))) continue;
       const S reach = radius + motion_.species(disks_[j]).radius;
       const Vec<S> there = number_[j] >= 0 ? island.places[static_cast<std::size_t>(number_[j])]
                                            : motion_.wrapped(motion_.place(disks_[j], now));
@@ -108,8 +119,6 @@ void EventLoop<P>::gather(FoundIsland& island, At now) {
       counts_.max_overlap = std::max(counts_.max_overlap, static_cast<double>(depth));
     }
   }
-  for (const Index m : island.members) number_[m] = -1;
-  if (island.contacts.size() > kFewContacts) put_in_order(island);
 }
 
 // By place, which no numbering changes.

@@ -24,7 +24,7 @@ void EventLoop<P>::step_islands(At now) {
     if (stepped[i] != 0) continue;
     FoundIsland island;
     join(island, i, now);
-    gather(island, now);
+    gather(island, now, false);
     for (const Index m : island.members) stepped[m] = 1;
     step_island(island, now);
   }
