@@ -45,8 +45,8 @@ class DisjointSets {
     return true;
   }
   [[nodiscard]] bool alone(std::uint32_t i) const { return next_[i] == i; }
-  /// All numbers of the set of i, beginning with i.  `visit` may merge others into the set: they
-  /// are visited, too.
+  /// All numbers of the set of i, beginning with i.
+  /// REQUIRES: `visit` merges no sets.
   template <class Visit>
   void each(std::uint32_t i, Visit visit) const {
     std::uint32_t k = i;

@@ -3,7 +3,6 @@
 #include "solvers/event/event_loop_body.hpp"
 #include "solvers/event/event_queue_body.hpp"
 #include "solvers/event/groups/conflict_groups_body.hpp"
-#include "solvers/event/groups/path_meeting_body.hpp"
 #include "solvers/event/loop_core_body.hpp"
 #include "solvers/event/loop_cost_body.hpp"
 #include "solvers/event/loop_friction_body.hpp"

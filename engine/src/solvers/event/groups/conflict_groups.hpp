@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -8,18 +7,15 @@
 
 #include "carom/crew.hpp"
 #include "carom/impact.hpp"
-#include "contact/disjoint_sets.hpp"
-#include "contact/impact_log.hpp"
-#include "contact/rest_rules.hpp"
-#include "numbers/exact_sum.hpp"
-#include "solvers/event/event_loop.hpp"
+#include "solvers/event/groups/conflict_sets.hpp"
+#include "solvers/event/groups/group_loop.hpp"
 #include "solvers/event/groups/path.hpp"
+#include "solvers/event/groups/path_meeting.hpp"
 #include "solvers/event/groups/region_pairs.hpp"
+#include "solvers/event/groups/window_book.hpp"
+#include "solvers/event/groups/window_length.hpp"
 
 namespace carom::event {
-
-/// Balls of a contact that lasts may be so much farther apart than those that touch.
-inline constexpr double kWidest = 1 + 2 * kNear;
 
 /// Balls solved by any number of workers, with the bits that one event loop over all balls has.
 ///
@@ -45,9 +41,10 @@ inline constexpr double kWidest = 1 + 2 * kNear;
 /// contradiction. Windows and groups come in nowhere: they decide what it costs.
 ///
 /// A contact that lasts joins balls without an impact: those that touch at the start of a window
-/// are a cluster, which is in one group or not at all, see `touch`.
+/// are in one group or in none.  Fixed balls never change.
 ///
-/// Fixed balls never change.  They are of every group that comes to them, and join no groups.
+/// Which balls are of one group: conflict_sets.hpp; how one is solved: group_loop.hpp; whether two
+/// paths meet: path_meeting.hpp; how long a window is: window_length.hpp.
 ///
 /// Threads: `work` for the workers; the other members while no phase runs.  What a phase reads is
 /// written by no other worker in it: a worker writes the paths of its balls, or of the members of
@@ -61,6 +58,8 @@ class ConflictGroups {
   using Disk = typename P::Disk;
 
   explicit ConflictGroups(const BasicRules<S>& rules);
+  ConflictGroups(const ConflictGroups&) = delete;
+  ConflictGroups& operator=(const ConflictGroups&) = delete;
 
   /// Takes these flights; `now` is not before any of their starts.  `left`: the fixed ball at which
   /// each began; kUnknown: none; empty: none.  `spins`: of the balls; empty: 0.
@@ -68,12 +67,12 @@ class ConflictGroups {
              const std::vector<S>& spins);
   void set_workers(std::size_t workers) { desks_.resize(workers); }
   /// No window is longer; never(): they are as long as pays.
-  void limit_window(At longest) { longest_ = longest; }
+  void limit_window(At longest) { length_.limit(longest); }
   /// Whether impacts are noted.
   void note_impacts(bool wanted) { notes_ = wanted; }
   /// Adds the impacts of the windows that have ended: times of the present epoch, `event` the same
   /// for the contacts of a joint one, else 0.
-  void take_impacts(std::vector<Impact>& impacts);
+  void take_impacts(std::vector<Impact>& impacts) { book_.take_impacts(impacts); }
   /// Gives the number of the phase to start with, Phase::kFrameDone where `until` is now.
   [[nodiscard]] std::size_t aim(At until);
   /// Counts time from `by` ticks later on.
@@ -91,13 +90,13 @@ class ConflictGroups {
   [[nodiscard]] Index left(std::size_t ball) const { return tracks_[ball].path.back().left; }
   [[nodiscard]] const S& spin(std::size_t ball) const { return tracks_[ball].path.back().spin; }
   [[nodiscard]] const Motion<P>& motion() const { return *motion_; }
-  [[nodiscard]] const Counts& counts() const { return counts_; }
+  [[nodiscard]] const Counts& counts() const { return book_.counts(); }
   [[nodiscard]] Costs costs() const;
   /// The energy that impacts since `reset` have taken, and drag from flights that are over.
-  [[nodiscard]] const std::vector<double>& losses() const { return lost_.parts(); }
+  [[nodiscard]] const std::vector<double>& losses() const { return book_.losses(); }
   /// How often each ball was brought back round a periodic axis that gravity pulls along, since
   /// `reset`; empty for other axes.
-  [[nodiscard]] const Turns& turns() const { return turns_; }
+  [[nodiscard]] const Turns& turns() const { return book_.turns(); }
   [[nodiscard]] double given_ahead(At now) const;
   /// Who rests on this ball, or carries it, moves again.
   void wake_around(std::size_t ball, At now);
@@ -109,71 +108,46 @@ class ConflictGroups {
 
  private:
   using Path = typename Paths<P>::Path;
+  using PathBall = typename PathMeeting<P>::Ball;
 
   /// What is known of a ball in the present window.
   struct Track {
-    Segment<P> first;             ///< what it begins the window with
-    Path path;                    ///< from then on
-    Bounds box;                   ///< swept by its centre
-    std::vector<Impact> impacts;  ///< where they are noted, as `counts`
-    std::vector<double> lost;     ///< energy, the same
-    Counts counts;                ///< of the group it is the first of, or of it alone
-    std::array<std::int64_t, 2> turns{0, 0};
+    Segment<P> first;  ///< what it begins the window with
+    Path path;         ///< from then on
+    Bounds box;        ///< swept by its centre
+    WindowOutcome outcome;
     bool changed = false;  ///< since the pairs were looked at the last time
   };
-  /// A pair whose paths meet, or of which one is in a contact that lasts.
-  struct Encounter {
-    Index first;
-    Index second;
-    bool lasts = false;  ///< the second
-  };
   struct alignas(128) Desk {
-    std::unique_ptr<EventLoop<P>> loop;
-    Paths<P> paths;
-    std::vector<Segment<P>> first;
-    std::vector<Disk> flights;
-    std::vector<Index> lefts;
-    std::vector<S> spins;
-    std::vector<Index> members;  ///< of the group that is solved, its fixed balls among them
+    GroupLoop<P> loop;
     std::vector<Encounter> encounters;
     std::vector<Encounter> touching;
-    ImpactLog log;
     std::vector<Index> solved;  ///< balls with new paths, since the last end of a window
     bool outside = false;       ///< a box is not in its region
     double pair_seconds = 0;
     double wall_seconds = 0;
   };
-  struct Group {
-    Index root;
-    std::size_t size;
-  };
 
-  // Paths: conflict_groups_body.hpp.
+  // The phases.
   void fly(Share share);
-  void begin(Track& track);
-  [[nodiscard]] bool flies_on(const Segment<P>& segment) const;
-  /// REQUIRES: the desk has its members.
-  void solve(Index root, Desk& desk);
-  void set_box(Index ball);
-
-  // Pairs: path_meeting_body.hpp.
   void look_at_pairs(Share share);
-  [[nodiscard]] bool same_group(Index i, Index j) const;
-  [[nodiscard]] bool meet(Index i, Index j) const;
-  [[nodiscard]] bool touch(Index i, Index j, const Disk& a, const Disk& b, At at) const;
-  [[nodiscard]] bool lasts(Index i, Index j) const;
-
-  // Windows.
+  void resolve(Share share);
+  // What is done between two phases; each gives the next one.
   [[nodiscard]] std::size_t begin_window();
   [[nodiscard]] std::size_t after_flight();
   [[nodiscard]] std::size_t merge();
-  static bool before(const Encounter& one, const Encounter& other);
-  void join(Index i, Index j);
-  void close(Index ball);
   [[nodiscard]] std::size_t end_window();
+
+  [[nodiscard]] double take(std::size_t ball, Segment<P> segment);
+  [[nodiscard]] bool flies_on(const Segment<P>& segment) const;
+  /// REQUIRES: the desk's loop has its members.
+  void solve(Index root, Desk& desk);
+  void set_box(Index ball);
+  [[nodiscard]] bool inside_region(Index ball) const;
+  [[nodiscard]] PathBall path_of(Index ball) const;
   void list_pairs();
-  [[nodiscard]] bool any_outside();
-  void measure_window();
+  [[nodiscard]] bool any_outside() const;
+  void measure();
 
   std::shared_ptr<const Motion<P>> motion_;
   std::vector<Track> tracks_;
@@ -187,29 +161,17 @@ class ConflictGroups {
   double margin_ = 0;    ///< of a region around the path it was made for
   bool listed_ = false;  ///< the pairs of the present regions
 
-  DisjointSets groups_;
-  DisjointSets clusters_;
-  std::vector<Encounter> supports_;              ///< balls and the fixed balls they touch, in order
-  std::vector<std::vector<Index>> fixed_disks_;  ///< fixed balls of a group, by its root
-  std::vector<Group> dirty_;                     ///< to be solved
-  std::vector<char> is_dirty_;
-  std::vector<char> lasts_;  ///< by root: a contact that lasts has brought the group together
+  ConflictSets sets_;
+  std::vector<ConflictSets::Group> dirty_;  ///< to be solved
   bool notes_ = false;
-  std::vector<Impact> noted_;
   bool first_pass_ = false;
 
   Time now_ = 0;
   Time until_ = 0;  ///< the end of the present window
   Time target_ = 0;
-  Time window_ = 1;  ///< as long as one should be
-  Time usual_ = 1;   ///< a part of the time in which a ball meets another
-  Time longest_ = P::Clock::never();
-  bool full_ = false;       ///< it is not the aim that ends the present window
-  std::size_t solved_ = 0;  ///< balls of all groups solved in this window
-  std::size_t rounds_ = 0;  ///< passes in this window
-  Counts counts_;
-  Turns turns_;
-  ExactSum<double> lost_;
+  WindowLength<P> length_;
+  typename WindowLength<P>::Cost cost_;  ///< of the present window
+  WindowBook book_;
   std::uint64_t windows_ = 0;
   std::uint64_t passes_ = 0;
   std::size_t largest_ = 0;
