@@ -4,17 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "carom/crew.hpp"
 #include "carom/scene_file.hpp"
-#include "carom/shorter_way.hpp"
-#include "impact_record.hpp"
 #include "scene/available.hpp"
+#include "simulation_account.hpp"
+#include "simulation_checks.hpp"
+#include "simulation_record.hpp"
 #include "solvers/make_solver.hpp"
-#include "state/domain.hpp"
 #include "state/totals.hpp"
 
 namespace carom {
@@ -46,13 +45,8 @@ class Simulation::Implementation {
                       std::max<std::size_t>(1, moving_)),
         time_(scene.continuation ? scene.continuation->time : 0),
         crew_(worker_count(scene, solver_->balls(), moving_), solver_->phases()),
-        energy_initial_(solver_->energy()),
-        energy_largest_(std::abs(energy_initial_)),
-        dissipated_before_(solver_->dissipated()),
-        momentum_initial_(solver_->momentum()),
-        ids_(solver_->balls()),
-        next_id_(solver_->balls()) {
-    std::iota(ids_.begin(), ids_.end(), std::size_t{0});
+        account_(*solver_),
+        record_(*solver_) {
     scene_.balls = std::vector<Ball>();
     scene_.fills.clear();
     scene_.script.clear();
@@ -68,12 +62,11 @@ class Simulation::Implementation {
   }
 
   void obey(const command::Add& add) {
-    check_room(add.ball);
-    collect_impacts(true);
+    check_room(add.ball, scene_, *solver_);
+    record_.before_change();
     solver_->add(add.ball);
     if (!add.ball.fixed) ++moving_;
-    ids_.push_back(next_id_++);
-    note({.kind = ImpactKind::add, .a = ids_.back(), .position = add.ball.position});
+    record_.added(add.ball.position, time_);
     fit_crew();
   }
   void obey(const command::Remove& remove) {
@@ -83,13 +76,9 @@ class Simulation::Implementation {
     if (ball >= n) {
       throw CommandError(fmt::format("there is no ball {} to remove: there are {}", ball, n));
     }
-    collect_impacts(true);
-    tell_slides(ball);
-    const auto place = static_cast<std::ptrdiff_t>(ball);
-    note({.kind = ImpactKind::remove, .a = ids_[ball], .position = position_of(ball)});
+    record_.removes(ball, time_);
     if (!solver_->state()[ball].fixed) --moving_;
     solver_->remove(ball);
-    ids_.erase(ids_.begin() + place);
     fit_crew();
   }
   void obey(const command::SetEffects& set) {
@@ -98,9 +87,9 @@ class Simulation::Implementation {
       throw CommandError(fmt::format(
           "{} cannot be set: the scene does not name it among its effects", entry.name));
     });
-    check_inside(set.effects);
+    check_inside(set.effects, scene_, *solver_);
     solver_->set(set.effects);
-    note({.kind = ImpactKind::set});
+    record_.note(ImpactKind::set, time_);
     assign(scene_.effects, set.effects);
   }
   void obey(const command::SetStep& set) {
@@ -108,7 +97,7 @@ class Simulation::Implementation {
       throw CommandError(fmt::format("a step must be greater than 0, got {}", set.step));
     }
     solver_->set_step(set.step);
-    note({.kind = ImpactKind::set});
+    record_.note(ImpactKind::set, time_);
     scene_.solver.step = set.step;
   }
   template <class Other>
@@ -119,9 +108,7 @@ class Simulation::Implementation {
   void apply(const Command& command) {
     const double before = solver_->energy();
     std::visit([this](const auto& c) { obey(c); }, command);
-    const double after = solver_->energy();
-    energy_input_ += after - before;
-    energy_largest_ = std::max({energy_largest_, std::abs(before), std::abs(after)});
+    account_.command(before, solver_->energy());
   }
 
   double kinetic() const {
@@ -134,14 +121,8 @@ class Simulation::Implementation {
   Measurements measure() const {
     Measurements result;
     solver_->count(result);
-    result.energy_initial = energy_initial_;
-    result.energy_final = solver_->energy();
+    account_.measure(*solver_, result);
     if (scene_.effects.gravity || scene_.effects.attraction) result.kinetic_final = kinetic();
-    result.energy_input = energy_input_;
-    result.energy_dissipated = std::max(0.0, solver_->dissipated() - dissipated_before_);
-    result.energy_largest = energy_largest_;
-    result.momentum_initial = momentum_initial_;
-    result.momentum_final = solver_->momentum();
     result.phases = crew_.seconds();
     const Crew::Effort effort = crew_.effort();
     result.computing = effort.computing;
@@ -161,28 +142,19 @@ class Simulation::Implementation {
     return stream;
   }
 
-  void record_impacts(bool wanted) {
-    solver_->record_impacts(wanted);
-    recording_ = wanted;
-    record_ = ImpactRecord(record_.next_event());
-  }
-  std::vector<Impact> take_impacts(bool at_the_end) {
-    collect_impacts(at_the_end);
-    for (std::size_t i = 0; i < ids_.size() && at_the_end; ++i) tell_slides(i);
-    return record_.take();
-  }
-  const std::vector<std::size_t>& ids() const { return ids_; }
+  SimulationRecord& record() { return record_; }
+  const SimulationRecord& record() const { return record_; }
   Bookkeeping bookkeeping() const {
-    return {ids_, next_id_, record_.next_event(), energy_input_, solver_->losses()};
+    Bookkeeping result;
+    record_.save(result);
+    result.energy_input = account_.input();
+    result.losses = solver_->losses();
+    return result;
   }
   void go_on_from(const Bookkeeping& earlier) {
-    ids_ = earlier.ids;
-    next_id_ = earlier.next_id;
-    record_ = ImpactRecord(earlier.next_event);
+    record_.go_on_from(earlier);
     solver_->go_on_from_losses(earlier.losses);
-    dissipated_before_ = 0;
-    energy_input_ = earlier.energy_input;
-    energy_largest_ = 0;  // the energy at which it goes on is no new look
+    account_.go_on_from(earlier.energy_input);
   }
 
   Crew& crew() { return crew_; }
@@ -201,73 +173,6 @@ class Simulation::Implementation {
     solver_->set_workers(crew_.workers());
   }
 
-  /// Before balls get other numbers.
-  void collect_impacts(bool of_all) {
-    if (!recording_) return;
-    std::vector<Impact> impacts;
-    solver_->take_impacts(impacts, of_all);
-    record_.add(std::move(impacts), ids_);
-  }
-  /// Of a ball whose contacts end without an event.
-  void tell_slides(std::size_t ball) {
-    if (!recording_) return;
-    std::vector<Impact> impacts;
-    solver_->tell_slides(ball, impacts);
-    record_.add(std::move(impacts), ids_);
-  }
-  void note(Impact command) {
-    if (!recording_) return;
-    collect_impacts(true);
-    command.time = time_;
-    record_.add(command);
-  }
-  Vec2 position_of(std::size_t ball) const {
-    return recording_ ? solver_->state().at(ball).position : Vec2{0, 0};
-  }
-
-  /// Walls cannot come back around balls that have left.
-  void check_inside(const Effects& change) const {
-    if (!has_walls(change) || has_walls(scene_.effects)) return;
-    const Domain domain(scene_.box, true);
-    const std::vector<Ball> balls = solver_->state();
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        const double x = balls[i].position[axis];
-        if (!domain.solid(axis) || (x >= domain.lower[axis] && x <= domain.upper[axis])) continue;
-        throw CommandError(fmt::format("walls stay off: ball {} is out of the box", i));
-      }
-    }
-  }
-
-  void check_room(const Ball& ball) const {
-    if (!(ball.radius > 0) || !(ball.mass > 0) || !std::isfinite(ball.radius) ||
-        !std::isfinite(ball.mass) || !ball.position.allFinite() || !ball.velocity.allFinite() ||
-        !std::isfinite(ball.spin)) {
-      throw CommandError("a ball needs a position, a velocity, a radius and a mass above 0");
-    }
-    const Domain domain(scene_.box, has_walls(scene_.effects));
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const double x = ball.position[axis];
-      const bool outside =
-          x < domain.lower[axis] + ball.radius || x > domain.upper[axis] - ball.radius;
-      if (domain.solid(axis) && outside) {
-        throw CommandError(fmt::format("a ball at ({}, {}) would stick out of the box",
-                                       ball.position.x(), ball.position.y()));
-      }
-    }
-    if (!has_collisions(scene_.effects)) return;
-    const std::vector<Ball> balls = solver_->state();
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-      if (ball.fixed && balls[i].fixed) continue;
-      const Vec2 r = shorter_way(balls[i].position - ball.position, scene_.box);
-      const double reach = balls[i].radius + ball.radius;
-      if (r.squaredNorm() < reach * reach) {
-        throw CommandError(fmt::format("a ball at ({}, {}) would overlap ball {}",
-                                       ball.position.x(), ball.position.y(), i));
-      }
-    }
-  }
-
   Scene scene_;  // without balls and script
   Method method_;
   std::size_t moving_;  // balls that are not fixed
@@ -275,15 +180,8 @@ class Simulation::Implementation {
   bool per_ball_;
   double time_;
   Crew crew_;
-  double energy_initial_;
-  double energy_largest_;
-  double dissipated_before_;
-  Vec2 momentum_initial_;
-  double energy_input_ = 0;
-  std::vector<std::size_t> ids_;  // of the balls, in their order
-  std::size_t next_id_;
-  bool recording_ = false;
-  ImpactRecord record_;
+  SimulationAccount account_;
+  SimulationRecord record_;
 };
 
 Simulation::Simulation(const Scene& scene)
@@ -352,7 +250,7 @@ SceneStream Simulation::save_stream() const {
   return implementation_->save();
 }
 const std::vector<std::size_t>& Simulation::ids() const {
-  return implementation_->ids();
+  return implementation_->record().ids();
 }
 Bookkeeping Simulation::bookkeeping() const {
   return implementation_->bookkeeping();
@@ -361,10 +259,10 @@ void Simulation::go_on_from(const Bookkeeping& bookkeeping) {
   implementation_->go_on_from(bookkeeping);
 }
 void Simulation::record_impacts(bool wanted) {
-  implementation_->record_impacts(wanted);
+  implementation_->record().record(wanted);
 }
 std::vector<Impact> Simulation::take_impacts(bool at_the_end) {
-  return implementation_->take_impacts(at_the_end);
+  return implementation_->record().take(at_the_end);
 }
 void Simulation::record_timeline(std::size_t frames) {
   implementation_->crew().record_timeline(frames);
