@@ -7,6 +7,7 @@
 #include "carom/scene_file.hpp"
 #include "json/reader.hpp"
 #include "json/text.hpp"
+#include "json/well_formed.hpp"
 #include "support/any_scene.hpp"
 #include "support/random_numbers.hpp"
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "json/pointer.hpp"
 #include "json/scalar.hpp"
 #include "json/text.hpp"
 
@@ -336,50 +337,6 @@ void Reader::unexpected(std::string_view expected) {
     found = fmt::format("'{}'", printable(first_character(text_.substr(begin))));
   }
   malformed(begin, fmt::format("expected {}, got {}", expected, found));
-}
-
-namespace {
-
-/// What keeps a text from being JSON, or is complained of if so asked; empty: nothing.
-std::string wrong_with(std::string_view text, bool complaints) {
-  if (const auto problem = find_text_problem(text)) return problem->message;
-  Reader reader(text);
-  try {
-    reader.skip();
-    reader.end();
-  } catch (const Malformed& malformed) {
-    return malformed.message;
-  }
-  if (!complaints || reader.complaints().empty()) return "";
-  return reader.complaints().front().message;
-}
-
-}  // namespace
-
-bool is_well_formed(std::string_view text) {
-  return wrong_with(text, false).empty();
-}
-
-std::string what_is_wrong(std::string_view text) {
-  return wrong_with(text, true);
-}
-
-std::string meaning_of(std::string_view quoted) {
-  return Reader(quoted).text();
-}
-
-std::string pointer_step(std::string_view key) {
-  std::string step;
-  for (const char c : key) {
-    if (c == '~') {
-      step += "~0";
-    } else if (c == '/') {
-      step += "~1";
-    } else {
-      step += c;
-    }
-  }
-  return printable(step);
 }
 
 }  // namespace carom::json

@@ -122,15 +122,4 @@ class Reader {
   std::vector<Complaint> complaints_;
 };
 
-/// Whether a text is JSON, but for complaints.
-bool is_well_formed(std::string_view text);
-/// What is wrong with a text; empty: it is JSON, and nothing in it is a complaint.
-std::string what_is_wrong(std::string_view text);
-/// The text that a JSON text of quotes means.
-/// REQUIRES: well-formed.
-std::string meaning_of(std::string_view quoted);
-
-/// A key as a step of a JSON pointer (RFC 6901), with what would not print on one line escaped.
-std::string pointer_step(std::string_view key);
-
 }  // namespace carom::json

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "json/pointer.hpp"
 #include "json/reader.hpp"
 #include "scene/read_scene.hpp"
 

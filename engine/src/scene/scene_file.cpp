@@ -12,6 +12,7 @@
 
 #include "json/reader.hpp"
 #include "json/text.hpp"
+#include "json/well_formed.hpp"
 #include "scene/builtin.hpp"
 #include "scene/judge.hpp"
 #include "scene/read_scene.hpp"

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "carom/scene_file.hpp"
-#include "json/reader.hpp"
+#include "json/pointer.hpp"
 #include "json/text.hpp"
+#include "json/well_formed.hpp"
 
 namespace carom::scene {
 
