@@ -8,9 +8,9 @@
 
 #include "accuracy/announcer.hpp"
 #include "accuracy/rest_run.hpp"
+#include "accuracy/row.hpp"
 #include "accuracy/samples.hpp"
 #include "accuracy/scenario.hpp"
-#include "carom/scene_file.hpp"
 
 namespace carom::accuracy {
 namespace {
@@ -42,7 +42,9 @@ class Distribution {
 class RestStudy {
  public:
   RestStudy(const Scene& scene, const AccuracyRequest& request)
-      : request_(request), announcer_(request), starts_(starts_of(scene, request)) {
+      : request_(request),
+        announcer_(request),
+        starts_(starts_of(scene, request.seeds, request.time)) {
     crew_ = request.crews.empty() ? AccuracyCrew{scene.per_ball, scene.workers.value_or(1)}
                                   : request.crews.front();
     study_.scene = scene.name;
@@ -76,18 +78,6 @@ class RestStudy {
   }
 
  private:
-  /// Starts differ where fills are drawn from the seed.
-  static std::vector<Scenario> starts_of(const Scene& scene, const AccuracyRequest& request) {
-    std::vector<Scenario> starts;
-    const std::size_t count = scene.fills.empty() ? 1 : std::max<std::size_t>(1, request.seeds);
-    Scene drawn = scene;
-    for (std::size_t i = 0; i < count; ++i) {
-      drawn.seed = scene.seed + i;
-      starts.push_back(scenario_of(drawn, request.time));
-    }
-    return starts;
-  }
-
   /// What the rest of the plan is foreseen to take: from step to step up to twice as much.
   [[nodiscard]] double foreseen(std::size_t next) const {
     double left = 0;
@@ -102,21 +92,8 @@ class RestStudy {
 
   void run_planned(std::size_t number) {
     const Way& way = plan_[number];
-    AccuracyRow row;
-    row.method = way.method;
-    row.step = way.step;
-    row.digits = way.digits;
-    row.per_ball = crew_.per_ball;
-    row.workers = crew_.per_ball ? std::max<std::size_t>(1, study_.balls) : crew_.workers;
-    try {
-      run_starts(row, way, number);
-    } catch (const StopAsked&) {
-      throw;
-    } catch (const SceneError& error) {
-      row.failure = error.problems().front().place + ": " + error.problems().front().message;
-    } catch (const std::exception& error) {
-      row.failure = error.what();
-    }
+    AccuracyRow row = new_row(way, crew_, study_.balls);
+    fill_row(row, [&] { run_starts(row, way, number); });
     if (row.failure.empty()) {
       const bool stepped = last_step_ > 0 && row.step;
       growth_ = stepped && last_ > 0 ? std::clamp(row.seconds / last_, 1.0, 2.0) : 2.0;
@@ -126,13 +103,7 @@ class RestStudy {
     study_.rows.push_back(row);
     if (request_.row_done) request_.row_done(study_.rows.back());
     if (!row.step || number + 1 == plan_.size()) return;
-    if (!row.failure.empty()) {
-      study_.ladder_end = fmt::format("{}: {}", name_of(way), row.failure);
-    } else if (row.seconds > request_.share) {
-      study_.ladder_end = fmt::format(
-          "{} took {:.3g} s, and the time limit of a run is {:.3g} s; --share raises it",
-          name_of(way), row.seconds, request_.share);
-    }
+    study_.ladder_end = why_last(row, name_of(way), request_.share);
   }
 
   void run_starts(AccuracyRow& row, const Way& way, std::size_t number) {

@@ -57,4 +57,15 @@ Scenario scenario_of(const Scene& scene, std::optional<double> time) {
   return scenario;
 }
 
+std::vector<Scenario> starts_of(const Scene& scene, std::size_t seeds, std::optional<double> time) {
+  std::vector<Scenario> starts;
+  const std::size_t count = scene.fills.empty() ? 1 : std::max<std::size_t>(1, seeds);
+  Scene drawn = scene;
+  for (std::size_t i = 0; i < count; ++i) {
+    drawn.seed = scene.seed + i;
+    starts.push_back(scenario_of(drawn, time));
+  }
+  return starts;
+}
+
 }  // namespace carom::accuracy

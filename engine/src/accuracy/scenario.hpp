@@ -24,4 +24,8 @@ struct Scenario {
 /// Errors: SceneError where a fill finds no room.
 Scenario scenario_of(const Scene& scene, std::optional<double> time);
 
+/// The starts of a scene from its seed on: so many where its fills are drawn from the seed, else
+/// one.
+std::vector<Scenario> starts_of(const Scene& scene, std::size_t seeds, std::optional<double> time);
+
 }  // namespace carom::accuracy

@@ -10,11 +10,12 @@
 #include "accuracy/averages.hpp"
 #include "accuracy/forecast.hpp"
 #include "accuracy/rest_study.hpp"
+#include "accuracy/row.hpp"
 #include "accuracy/scenario.hpp"
+#include "accuracy/study_plan.hpp"
 #include "accuracy/timing.hpp"
 #include "accuracy/truth.hpp"
 #include "carom/accuracy.hpp"
-#include "carom/scene_file.hpp"
 
 namespace carom {
 namespace accuracy {
@@ -29,26 +30,18 @@ constexpr double kRefined = 0.3;           // of the reference, foreseen for sha
 
 constexpr double kAveragedLimits = 5;  // that the runs of a row that are averaged may take
 
-/// A run that is planned.
-struct Planned {
-  Way way;
-  AccuracyCrew crew;
-  /// Where it is a row's run on another crew: the row.
-  std::optional<std::size_t> same;
-};
-
 class Study {
  public:
   Study(const Scene& scene, const AccuracyRequest& request)
       : request_(request),
         announcer_(request),
         scenario_(scenario_of(scene, request.time)),
-        crews_(request.crews),
+        crews_(crews_of(scene, request)),
         radius_(smallest_radius(scenario_.start.balls)),
         samples_(scenario_.end, kMostBytes / kBytesOfBall /
                                     std::max<std::size_t>(1, scenario_.start.balls.size())),
-        forecast_(scenario_, request.share) {
-    if (crews_.empty()) crews_.push_back({scene.per_ball, scene.workers.value_or(1)});
+        forecast_(scenario_, request.share),
+        plan_(scenario_, crews_) {
     study_.scene = scene.name;
     study_.time = scenario_.end;
     study_.balls = scenario_.start.balls.size();
@@ -56,16 +49,18 @@ class Study {
     study_.seed = scene.seed;
     study_.machine = this_machine();
     study_.target = request.target;
-    find_starts(scene, request);
+    if (request.observables.empty()) return;
+    study_.observables = request.observables;
+    starts_ = starts_of(scene, request.seeds, request.time);
+    study_.starts = starts_.size();
   }
 
   AccuracyStudy run() {
-    plan();
     try {
       find_reference();
       find_reference_averages();
       for (at_ = 0; at_ < plan_.size(); ++at_) run_planned();
-      plan_other_crews();
+      plan_.add_other_crews(study_.rows, scenario_.start.solver.step);
       for (; at_ < plan_.size(); ++at_) run_on_other_crew();
       refine();
     } catch (const StopAsked&) {
@@ -78,44 +73,24 @@ class Study {
   }
 
  private:
+  static std::vector<AccuracyCrew> crews_of(const Scene& scene, const AccuracyRequest& request) {
+    if (!request.crews.empty()) return request.crews;
+    return {{scene.per_ball, scene.workers.value_or(1)}};
+  }
+
   static double smallest_radius(const std::vector<Ball>& balls) {
     double radius = balls.empty() ? 0 : balls.front().radius;
     for (const Ball& ball : balls) radius = std::min(radius, ball.radius);
     return radius;
   }
 
-  void plan() {
-    const AccuracyCrew& crew = crews_.front();
-    const auto plan_steps = [&](Method method) {
-      double step = kLongestStep;
-      for (int count = 0; count < kSteps; ++count, step /= 2) {
-        plan_.push_back({{method, step, 16}, crew, {}});
-      }
-    };
-    if (scenario_.start.effects.attraction) {
-      plan_steps(Method::event);
-    } else {
-      plan_.push_back({{Method::event, std::nullopt, 16}, crew, {}});
-    }
-    for (const int digits : {34, 50}) {
-      plan_.push_back({{Method::event, std::nullopt, digits}, crew, {}});
-    }
-    plan_steps(Method::overlap);
-    unplanned_ = 2 * (crews_.size() - 1);
-  }
-
   void tell(const std::string& what, std::size_t run, double left) {
-    announcer_.tell(what, run, plan_.size() + unplanned_, left);
+    announcer_.tell(what, run, plan_.expected(), left);
   }
 
   /// What the planned runs from `next` on and the horizons are foreseen to take.
   [[nodiscard]] double foreseen(std::size_t next) const {
-    double left = 0;
-    for (std::size_t i = next; i < plan_.size(); ++i) {
-      const double run = forecast_.run(plan_[i].way);
-      if (plan_[i].way.step && run > 2 * request_.share) continue;  // it will be left out
-      left += plan_[i].same ? forecast_.with_repeats(run) - run : forecast_.with_repeats(run);
-    }
+    const double left = plan_.seconds(next, forecast_, request_.share);
     if (truth_.reference.seconds > 0 && losses_.empty()) return left;
     const double reference =
         truth_.reference.seconds > 0 ? truth_.reference.seconds : forecast_.reference();
@@ -138,18 +113,6 @@ class Study {
       return;
     }
     forecast_.learn_reference(truth_.reference.seconds, truth_.reference.digits);
-  }
-
-  /// The starts whose runs are averaged, one where nothing is drawn from the seed.
-  void find_starts(const Scene& scene, const AccuracyRequest& request) {
-    if (request.observables.empty()) return;
-    study_.observables = request.observables;
-    study_.starts = scene.fills.empty() ? 1 : std::max<std::size_t>(1, request.seeds);
-    Scene drawn = scene;
-    for (std::size_t i = 0; i < study_.starts; ++i) {
-      drawn.seed = scene.seed + i;
-      starts_.push_back(scenario_of(drawn, request.time));
-    }
   }
 
   /// The averages of a way over the starts.
@@ -185,20 +148,10 @@ class Study {
     return run * static_cast<double>(starts_.size()) <= kAveragedLimits * request_.share;
   }
 
-  static AccuracyRow new_row(const Planned& planned, std::size_t balls) {
-    AccuracyRow row;
-    row.method = planned.way.method;
-    row.step = planned.way.step;
-    row.digits = planned.way.digits;
-    row.per_ball = planned.crew.per_ball;
-    row.workers = planned.crew.per_ball ? std::max<std::size_t>(1, balls) : planned.crew.workers;
-    return row;
-  }
-
   /// A run that fails is a row that says so.
   void run_planned() {
     const Planned planned = plan_[at_];
-    AccuracyRow row = new_row(planned, study_.balls);
+    AccuracyRow row = new_row(planned.way, planned.crew, study_.balls);
     const auto started = Clock::now();
     const double later = foreseen(at_ + 1);
     const double mine = forecast_.row(planned.way);
@@ -209,7 +162,7 @@ class Study {
     };
     (void)stopped();
     std::optional<Loss> loss;
-    try {
+    fill_row(row, [&] {
       if (row.method == Method::event && !truth_.reference.step &&
           truth_.reference.absent.empty() && row.digits >= truth_.reference.digits) {
         throw TooLong("there is no run with more digits to compare it with in the time limit");
@@ -222,17 +175,11 @@ class Study {
                            ? study_.averages
                            : average(planned.way, planned.crew, at_ + 1, later);
       }
-    } catch (const StopAsked&) {
-      throw;
-    } catch (const SceneError& error) {
-      row.failure = error.problems().front().place + ": " + error.problems().front().message;
-    } catch (const std::exception& error) {
-      row.failure = error.what();
-    }
+    });
     if (!row.failure.empty()) loss.reset();
     if (loss) losses_[study_.rows.size()] = *loss;
     finish(std::move(row));
-    if (study_.rows.back().step) end_steps_where_too_long(study_.rows.back());
+    end_steps_where_too_long();
   }
 
   void finish(AccuracyRow row) {
@@ -242,66 +189,26 @@ class Study {
   }
 
   /// After a run that takes more than the time limit no shorter steps are tried.
-  void end_steps_where_too_long(const AccuracyRow& row) {
-    const auto is_shorter = [&](const Planned& planned) {
-      return planned.way.method == row.method && planned.way.step && *planned.way.step < *row.step;
-    };
-    const auto rest = plan_.begin() + static_cast<std::ptrdiff_t>(at_) + 1;
-    if (std::none_of(rest, plan_.end(), is_shorter)) return;
-    const std::string name = name_of(plan_[at_].way);
-    std::string why;
-    if (!row.failure.empty()) {
-      why = fmt::format("{}: {}", name, row.failure);
-    } else if (row.seconds > request_.share) {
-      why = fmt::format(
-          "{} took {:.3g} s, and the time limit of a run is {:.3g} s; --share raises it", name,
-          row.seconds, request_.share);
-    } else {
-      return;
-    }
+  void end_steps_where_too_long() {
+    if (!plan_.goes_on_with_shorter_steps(at_)) return;
+    const std::string why = why_last(study_.rows.back(), name_of(plan_[at_].way), request_.share);
+    if (why.empty()) return;
     study_.ladder_end += (study_.ladder_end.empty() ? "" : "; ") + why;
-    plan_.erase(std::remove_if(rest, plan_.end(), is_shorter), plan_.end());
-  }
-
-  /// The same runs on the other crews: one of each method, in steps that of the scene or the next
-  /// shorter.
-  void plan_other_crews() {
-    const double wanted = scenario_.start.solver.step;
-    unplanned_ = 0;
-    for (std::size_t crew = 1; crew < crews_.size(); ++crew) {
-      for (const Method method : {Method::event, Method::overlap}) {
-        std::optional<std::size_t> chosen;
-        for (std::size_t i = 0; i < study_.rows.size(); ++i) {
-          const AccuracyRow& row = study_.rows[i];
-          if (row.method != method || !row.failure.empty()) continue;
-          const bool too_long = chosen && study_.rows[*chosen].step.value_or(0) > wanted;
-          if (!chosen || too_long) chosen = i;
-        }
-        if (!chosen) continue;
-        const AccuracyRow& row = study_.rows[*chosen];
-        plan_.push_back({{row.method, row.step, row.digits}, crews_[crew], chosen});
-      }
-    }
+    plan_.leave_out_shorter_steps(at_);
   }
 
   void run_on_other_crew() {
     const Planned& planned = plan_[at_];
     AccuracyRow row = study_.rows[*planned.same];
-    row.per_ball = planned.crew.per_ball;
-    row.workers =
-        planned.crew.per_ball ? std::max<std::size_t>(1, study_.balls) : planned.crew.workers;
+    const AccuracyRow on_crew = new_row(planned.way, planned.crew, study_.balls);
+    row.per_ball = on_crew.per_ball;
+    row.workers = on_crew.workers;
     const Stopped stopped = [&] {
       tell(name_of(planned.way) + " on other workers", at_ + 1, foreseen(at_));
       return false;
     };
     (void)stopped();
-    try {
-      time_runs(row, scenario_, planned.crew, request_.share, stopped);
-    } catch (const StopAsked&) {
-      throw;
-    } catch (const std::exception& error) {
-      row.failure = error.what();
-    }
+    fill_row(row, [&] { time_runs(row, scenario_, planned.crew, request_.share, stopped); });
     same_run_[study_.rows.size()] = *planned.same;
     study_.rows.push_back(std::move(row));
     if (request_.row_done) request_.row_done(study_.rows.back());
@@ -342,9 +249,8 @@ class Study {
   double radius_;
   Samples samples_;
   Forecast forecast_;
-  std::vector<Planned> plan_;
-  std::size_t at_ = 0;         // in the plan
-  std::size_t unplanned_ = 0;  // runs on other crews, two each, until it is known which
+  StudyPlan plan_;
+  std::size_t at_ = 0;  // in the plan
   Truth truth_;
   std::map<std::size_t, Loss> losses_;           // of rows
   std::map<std::size_t, std::size_t> same_run_;  // of rows: the same on the first crew
