@@ -4,15 +4,12 @@
 #include <utility>
 
 #include "solvers/event/loop_core.hpp"
-#include "solvers/event/wide_core.hpp"
 #include "solvers/event/wide_physics.hpp"
 #include "state/domain.hpp"
 
 namespace carom::event {
 
 namespace {
-
-constexpr int kDigitsOfDouble = 16;
 
 bool touches_wall(const Ball& ball, const Domain& domain) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -55,10 +52,16 @@ bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
   });
 }
 
-std::unique_ptr<Core> make_core(CoreStart start, int digits) {
-  if (digits > kDigitsOfDouble) return std::make_unique<WideCore>(std::move(start), digits);
-  if (start.effects.drag) return std::make_unique<LoopCore<Drag>>(std::move(start));
-  return std::make_unique<LoopCore<Ballistic>>(std::move(start));
+CoreInPrecision make_core(CoreStart start, int digits) {
+  const auto made = [&]() -> std::unique_ptr<Core> {
+    if (digits > kDigitsOfDouble) {
+      const WidePrecision precision(digits);
+      return std::make_unique<LoopCore<WidePhysics>>(std::move(start));
+    }
+    if (start.effects.drag) return std::make_unique<LoopCore<Drag>>(std::move(start));
+    return std::make_unique<LoopCore<Ballistic>>(std::move(start));
+  };
+  return {made(), digits};
 }
 
 BallBytes ball_bytes(const Scene& scene) {

@@ -1,16 +1,16 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 #include "carom/scene.hpp"
-#include "solvers/event/core.hpp"
+#include "solvers/event/core_in_precision.hpp"
 
 namespace carom::event {
 
 /// The core for the flights and the digits that a start asks for.
-std::unique_ptr<Core> make_core(CoreStart start, int digits);
+/// REQUIRES: digits of 16, 34, 50 or 100.
+CoreInPrecision make_core(CoreStart start, int digits);
 
 /// Whether contacts of the scene can come to rest: from the start; its script tells what is set
 /// while it runs.

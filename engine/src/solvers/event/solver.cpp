@@ -28,8 +28,8 @@ std::vector<Ball> with_fixed_at_rest(std::vector<Ball> balls) {
 }
 
 /// The balls are the core's: they are in memory once.
-std::unique_ptr<event::Core> core_of(const Scene& scene, std::vector<Ball> balls,
-                                     const event::Sharing& sharing) {
+event::CoreInPrecision core_of(const Scene& scene, std::vector<Ball> balls,
+                               const event::Sharing& sharing) {
   event::CoreStart start{Domain(scene.box, has_walls(scene.effects)),
                          scene.effects,
                          {},

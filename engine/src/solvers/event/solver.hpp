@@ -1,10 +1,9 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "solvers/event/core.hpp"
+#include "solvers/event/core_in_precision.hpp"
 #include "solvers/solver.hpp"
 
 namespace carom {
@@ -19,7 +18,7 @@ class EventSolver final : public Solver {
  public:
   EventSolver(const Scene& scene, std::vector<Ball> balls, const event::Sharing& sharing = {});
 
-  [[nodiscard]] std::vector<Phase> phases() override { return core_->phases(); }
+  [[nodiscard]] std::vector<Phase> phases() override { return core_.phases(); }
   void set_workers(std::size_t workers) override { core_->set_workers(workers); }
   [[nodiscard]] std::size_t aim(double time) override { return core_->aim(time); }
   void add(const Ball& ball) override;
@@ -55,7 +54,7 @@ class EventSolver final : public Solver {
 
   Domain domain_;
   Effects effects_;
-  std::unique_ptr<event::Core> core_;
+  event::CoreInPrecision core_;
 };
 
 }  // namespace carom
