@@ -1,37 +1,24 @@
-#include "carom/barrier.hpp"
-
+// The phases of a barrier: who waits for whom, and what runs between two of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
-#include <functional>
 #include <random>
-#include <stdexcept>
-#include <thread>
 #include <vector>
 
+#include "carom/barrier.hpp"
+#include "unit/threads.hpp"
 #include "unit/watchdog.hpp"
 
 namespace carom {
 namespace {
 
 using std::chrono::microseconds;
-using std::chrono::milliseconds;
+using test::let_them_sleep;
+using test::on_threads;
 using test::Watchdog;
-
-/// Runs `body(i)` on `count` threads and waits for them.
-void on_threads(std::size_t count, const std::function<void(std::size_t)>& body) {
-  std::vector<std::thread> threads;
-  for (std::size_t i = 0; i < count; ++i) threads.emplace_back(body, i);
-  for (std::thread& thread : threads) thread.join();
-}
-
-/// Long enough for a thread that waits to have gone through spins and yields, and to sleep.
-void let_them_sleep() {
-  std::this_thread::sleep_for(milliseconds(20));
-}
 
 // The counters are plain numbers on purpose: a missing happens-before is a race that the thread
 // sanitizer reports.
@@ -164,198 +151,6 @@ TEST(Barrier, NoWakeUpIsLostWhereThePhaseEndsAsThreadsFallAsleep) {
   }
 }
 
-TEST(Barrier, APartyThatJoinsIsWaitedForFromTheOpenPhaseOn) {
-  const Watchdog watchdog;
-  int completions = 0;
-  Barrier barrier(2, [&] { ++completions; });
-  std::atomic<int> through{0};
-  std::thread first([&] {
-    if (barrier.arrive_and_wait()) ++through;
-  });
-  let_them_sleep();
-  barrier.join();
-  EXPECT_EQ(barrier.parties(), 3U);
-  std::thread second([&] {
-    if (barrier.arrive_and_wait()) ++through;
-  });
-  let_them_sleep();
-  EXPECT_EQ(through, 0);
-  EXPECT_TRUE(barrier.arrive_and_wait());
-  first.join();
-  second.join();
-  EXPECT_EQ(completions, 1);
-  EXPECT_EQ(through, 2);
-}
-
-TEST(Barrier, LeavingEndsThePhaseAndRunsTheCompletionWhereAllOthersWait) {
-  const Watchdog watchdog;
-  int completions = 0;
-  Barrier barrier(3, [&] { ++completions; });
-  std::atomic<int> through{0};
-  std::thread others([&] {
-    on_threads(2, [&](std::size_t) {
-      if (barrier.arrive_and_wait()) ++through;
-    });
-  });
-  let_them_sleep();
-  EXPECT_EQ(through, 0);
-  barrier.leave();
-  others.join();
-  EXPECT_EQ(through, 2);
-  EXPECT_EQ(completions, 1);
-  EXPECT_EQ(barrier.parties(), 2U);
-}
-
-TEST(Barrier, TheLastToLeaveRunsTheCompletionItself) {
-  std::thread::id ran_in;
-  Barrier barrier(1, [&] { ran_in = std::this_thread::get_id(); });
-  barrier.leave();
-  EXPECT_EQ(ran_in, std::this_thread::get_id());
-  EXPECT_EQ(barrier.parties(), 0U);
-}
-
-TEST(Barrier, LeavingWhileOthersAreStillToArriveEndsNothing) {
-  int completions = 0;
-  Barrier barrier(2, [&] { ++completions; });
-  barrier.leave();
-  EXPECT_EQ(completions, 0);
-  EXPECT_TRUE(barrier.arrive_and_wait());
-  EXPECT_EQ(completions, 1);
-}
-
-TEST(Barrier, TheLastPartyMayLeaveAndOthersMeetAfter) {
-  const Watchdog watchdog;
-  int completions = 0;
-  Barrier barrier(1, [&] { ++completions; });
-  barrier.leave();
-  EXPECT_EQ(completions, 1);
-  EXPECT_EQ(barrier.parties(), 0U);
-  barrier.join();
-  barrier.join();
-  on_threads(2, [&](std::size_t) { EXPECT_TRUE(barrier.arrive_and_wait()); });
-  EXPECT_EQ(completions, 2);
-}
-
-TEST(Barrier, CompletionsDoNotOverlapWhereTheOnlyPartyLeavesAndAnotherComes) {
-  const Watchdog watchdog;
-  std::atomic<int> inside{0};
-  std::atomic<bool> overlap{false};
-  Barrier barrier(1, [&] {
-    if (++inside > 1) overlap = true;
-    let_them_sleep();
-    --inside;
-  });
-  std::thread leaver([&] { barrier.leave(); });
-  while (inside == 0) std::this_thread::yield();
-  barrier.join();
-  EXPECT_TRUE(barrier.arrive_and_wait());
-  leaver.join();
-  EXPECT_FALSE(overlap);
-}
-
-// Three threads go on without a break; guests come, take part in a few phases and leave again.
-TEST(Barrier, PartiesJoinAndLeaveWhileOthersRun) {
-  const Watchdog watchdog;
-  constexpr int kPhases = 400;
-  constexpr int kGuestPhases = 5;
-  int completions = 0;
-  std::size_t most = 0;
-  std::atomic<int> wrong{0};
-  std::vector<std::thread> guests;
-  Barrier* meeting = nullptr;
-  Barrier barrier(3, [&] {
-    ++completions;
-    most = std::max(most, meeting->parties());
-  });
-  meeting = &barrier;
-  on_threads(3, [&](std::size_t me) {
-    for (int phase = 1; phase <= kPhases; ++phase) {
-      // Not arrived yet, so that the guest belongs to this very phase.
-      if (me == 0 && phase % 3 == 0 && phase + kGuestPhases < kPhases) {
-        barrier.join();
-        guests.emplace_back([&, phase] {
-          for (int i = 0; i < kGuestPhases; ++i) {
-            if (!barrier.arrive_and_wait() || completions != phase + i) ++wrong;
-          }
-          barrier.leave();
-        });
-      }
-      if (!barrier.arrive_and_wait() || completions != phase) ++wrong;
-    }
-  });
-  for (std::thread& guest : guests) guest.join();
-  EXPECT_EQ(wrong, 0);
-  EXPECT_EQ(completions, kPhases);
-  EXPECT_EQ(barrier.parties(), 3U);
-  EXPECT_GT(most, 3U);
-}
-
-TEST(Barrier, CancelReleasesEverybodyForGood) {
-  const Watchdog watchdog;
-  for (const std::size_t threads : {1U, 2U, 40U}) {
-    int completions = 0;
-    Barrier barrier(threads + 1, [&] { ++completions; });
-    std::atomic<int> released{0};
-    std::thread others([&] {
-      on_threads(threads, [&](std::size_t) {
-        if (!barrier.arrive_and_wait()) ++released;
-      });
-    });
-    let_them_sleep();
-    EXPECT_FALSE(barrier.cancelled());
-    barrier.cancel();
-    others.join();
-    EXPECT_EQ(released, static_cast<int>(threads));
-    EXPECT_TRUE(barrier.cancelled());
-    EXPECT_FALSE(barrier.arrive_and_wait());
-    EXPECT_FALSE(barrier.arrive_and_wait());
-    EXPECT_EQ(completions, 0);
-  }
-}
-
-TEST(Barrier, CancelAtAnyMomentHangsNobody) {
-  const Watchdog watchdog;
-  for (int round = 0; round < 60; ++round) {
-    Barrier barrier(4);
-    std::thread killer([&] {
-      std::this_thread::sleep_for(microseconds(20 * round));
-      barrier.cancel();
-    });
-    on_threads(4, [&](std::size_t) {
-      while (barrier.arrive_and_wait()) continue;
-    });
-    killer.join();
-  }
-}
-
-TEST(Barrier, WhatTheCompletionThrowsIsThrownToTheLastAndReleasesTheOthers) {
-  const Watchdog watchdog;
-  Barrier barrier(6, [] { throw std::runtime_error("completion"); });
-  std::atomic<int> thrown{0};
-  std::atomic<int> released{0};
-  on_threads(6, [&](std::size_t) {
-    try {
-      if (!barrier.arrive_and_wait()) ++released;
-    } catch (const std::runtime_error&) {
-      ++thrown;
-    }
-  });
-  EXPECT_EQ(thrown, 1);
-  EXPECT_EQ(released, 5);
-  EXPECT_TRUE(barrier.cancelled());
-}
-
-TEST(Barrier, WhatTheCompletionThrowsIsThrownToThePartyThatLeaves) {
-  const Watchdog watchdog;
-  Barrier barrier(2, [] { throw std::runtime_error("completion"); });
-  std::atomic<bool> released{false};
-  std::thread other([&] { released = !barrier.arrive_and_wait(); });
-  let_them_sleep();
-  EXPECT_THROW(barrier.leave(), std::runtime_error);
-  other.join();
-  EXPECT_TRUE(released);
-}
-
 TEST(Barrier, TheNumberOfPhasesMayWrapAround) {
   const Watchdog watchdog;
   Barrier barrier(1);
@@ -369,13 +164,6 @@ TEST(Barrier, TheNumberOfPhasesMayWrapAround) {
     }
   });
   EXPECT_EQ(plain, 10);
-}
-
-TEST(Barrier, MorePartiesThanItCanCountAreRefused) {
-  EXPECT_THROW(Barrier(Barrier::kMostParties + 1), std::length_error);
-  Barrier barrier(Barrier::kMostParties);
-  EXPECT_THROW(barrier.join(), std::length_error);
-  EXPECT_EQ(barrier.parties(), Barrier::kMostParties);
 }
 
 }  // namespace
