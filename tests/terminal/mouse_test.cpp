@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes.hpp"
+#include "steps.hpp"
 #include "terminal.hpp"
 
 namespace carom::test {
@@ -50,9 +51,7 @@ TEST(MouseOfPlay, AClickAddsABallAtRestAndADragThrowsOne) {
   // 8 of 78 columns are 8 / 3.9 lengths, twice that in a second.
   EXPECT_TRUE(terminal.wait_for("threw a ball, speed 4.1")) << terminal.text();
   EXPECT_TRUE(terminal.wait_for(" 4 balls")) << terminal.text();
-  terminal.type("q");
-  EXPECT_EQ(terminal.wait_for_end(), 0);
-  EXPECT_TRUE(terminal.given_back());
+  expect_end_by_key(terminal);
 }
 
 TEST(MouseOfPlay, AClickOnABallSelectsItAndTheWordsOfItsPanelAreKeys) {
@@ -113,8 +112,7 @@ TEST(MouseOfPlay, NoMouseLeavesItToTheTerminal) {
   ASSERT_TRUE(terminal.wait_for(" 2 balls")) << terminal.text();
   for (const char* const mode : {"1000", "1002", "1003", "1006"})
     EXPECT_EQ(terminal.count(std::string("\x1B[?") + mode), 0U);
-  terminal.type("q");
-  EXPECT_EQ(terminal.wait_for_end(), 0);
+  expect_end_by_key(terminal);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "scenes.hpp"
+#include "steps.hpp"
 #include "terminal.hpp"
 
 namespace carom::test {
@@ -34,9 +35,7 @@ TEST(Panels, ShowWhatTheThreadsDoAndGoFromBarrierToBarrier) {
   terminal.type("Ll");
   EXPECT_TRUE(terminal.wait([](const Terminal& t) { return !t.shows("control"); }))
       << terminal.text();
-  terminal.type("q");
-  EXPECT_EQ(terminal.wait_for_end(), 0);
-  EXPECT_TRUE(terminal.given_back());
+  expect_end_by_key(terminal);
 }
 
 TEST(Panels, ShowTheInstruments) {
@@ -86,7 +85,7 @@ TEST(Panels, HoldAtEverySizeThroughAStormOfThem) {
   } const sizes[] = {{300, 100}, {20, 8}, {300, 8}, {20, 100}, {80, 24}, {96, 30}, {200, 60}};
   for (const auto& size : sizes) {
     terminal.resize(size.columns, size.rows);
-    const int status = size.rows - (size.rows >= 12 ? 2 : 1);
+    const int status = status_row(size.rows);
     EXPECT_TRUE(terminal.wait([&](const Terminal& t) {
       return t.row(status).find(" s ") != std::string::npos ||
              t.row(status).find(" s") == t.row(status).size() - 2;
@@ -94,9 +93,7 @@ TEST(Panels, HoldAtEverySizeThroughAStormOfThem) {
         << 'x' << size.rows << '\n'
         << terminal.text();
   }
-  terminal.type("q");
-  EXPECT_EQ(terminal.wait_for_end(), 0);
-  EXPECT_TRUE(terminal.given_back());
+  expect_end_by_key(terminal);
 }
 
 TEST(Panels, AreThereAgainAfterAStop) {
@@ -105,10 +102,7 @@ TEST(Panels, AreThereAgainAfterAStop) {
   ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
   terminal.type("l");
   ASSERT_TRUE(terminal.wait_for("frame_done")) << terminal.text();
-  terminal.type("\x1A");  // ^Z
-  ASSERT_TRUE(terminal.wait_until_stopped());
-  terminal.watch(std::chrono::milliseconds{50}, [] {});
-  EXPECT_TRUE(terminal.given_back());
+  expect_stop_by_key(terminal);
   terminal.signal(SIGCONT);
   EXPECT_TRUE(terminal.wait([](const Terminal& t) {
     return t.alternate_screen() && t.shows("frame_done");
@@ -145,8 +139,7 @@ void play_within(const std::vector<std::string>& words) {
   EXPECT_TRUE(terminal.wait([](const Terminal& t) {
     return t.row(37).find(" s ") != std::string::npos || t.row(38).find(" s ") != std::string::npos;
   })) << terminal.text();
-  terminal.type("q");
-  EXPECT_EQ(terminal.wait_for_end(), 0);
+  expect_end_by_key(terminal);
 }
 
 bool is_here(const std::string& program) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes.hpp"
+#include "steps.hpp"
 #include "support/process.hpp"
 #include "terminal.hpp"
 
@@ -48,9 +49,7 @@ TEST(Picker, ShowsWhatAScenesIsAboutAndPlaysIt) {
   ASSERT_TRUE(terminal.wait_for("scenes, ")) << terminal.text();
   terminal.type("\x1B");
   EXPECT_TRUE(terminal.wait([](const Terminal& t) { return !t.shows("scenes, "); }));
-  terminal.type("q");
-  EXPECT_EQ(terminal.wait_for_end(), 0);
-  EXPECT_TRUE(terminal.given_back());
+  expect_end_by_key(terminal);
 }
 
 TEST(Files, KeysSaveAndRecordAndTheLogEndsInTheSavedBits) {

@@ -1,23 +1,14 @@
+// The player in a terminal: its picture, its keys and what it writes.
 #include <gtest/gtest.h>
 
-#include <csignal>
 #include <set>
-#include <thread>
 
 #include "scenes.hpp"
+#include "steps.hpp"
 #include "terminal.hpp"
 
 namespace carom::test {
 namespace {
-
-/// The simulated time that the status line shows; negative if there is none.
-double shown_time(const Terminal& terminal) {
-  const std::string text = terminal.text();
-  const auto unit = text.find(" s  ");  // of the status line
-  if (unit == std::string::npos) return -1;
-  const auto begin = text.rfind(' ', unit - 1);
-  return std::strtod(text.c_str() + begin, nullptr);
-}
 
 TEST(Play, ShowsTheBuiltInSceneMovingFrameByFrame) {
   Terminal terminal(std::vector<std::string>{});
@@ -36,9 +27,7 @@ TEST(Play, ShowsTheBuiltInSceneMovingFrameByFrame) {
   EXPECT_LE(static_cast<double>(times.size()), 30 * elapsed.count() + 3);
   EXPECT_GE(times.size(), 5U);
   EXPECT_GE(pictures.size(), 3U);
-  terminal.type("q");
-  EXPECT_EQ(terminal.wait_for_end(), 0);
-  EXPECT_TRUE(terminal.given_back());
+  expect_end_by_key(terminal);
   EXPECT_NE(terminal.text().find("carom: break: "), std::string::npos) << terminal.text();
   EXPECT_NE(terminal.text().find(" late"), std::string::npos);
 }
@@ -93,9 +82,7 @@ TEST(Play, DoesWhatEachKeySays) {
   terminal.type("r");
   EXPECT_TRUE(terminal.wait_for(" 3 balls")) << terminal.text();
   EXPECT_TRUE(terminal.wait_for("restarted")) << terminal.text();
-  terminal.type("q");
-  EXPECT_EQ(terminal.wait_for_end(), 0);
-  EXPECT_TRUE(terminal.given_back());
+  expect_end_by_key(terminal);
 }
 
 TEST(Play, DrawsWithTheGlyphsOfItsOptionAtItsFrameRate) {
@@ -109,8 +96,7 @@ TEST(Play, DrawsWithTheGlyphsOfItsOptionAtItsFrameRate) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   EXPECT_LE(static_cast<double>(times.size()), 10 * elapsed.count() + 3);
   EXPECT_GT(blocks.count("\xE2\x96\x80") + blocks.count("\xE2\x96\x84"), 0U);
-  blocks.type("q");
-  EXPECT_EQ(blocks.wait_for_end(), 0);
+  expect_end_by_key(blocks);
 
   Terminal braille({scene.path(), "--glyphs", "braille"});
   ASSERT_TRUE(braille.wait_for("fps")) << braille.text();
@@ -118,8 +104,7 @@ TEST(Play, DrawsWithTheGlyphsOfItsOptionAtItsFrameRate) {
   for (const char* const start_of : {"\xE2\xA0", "\xE2\xA1", "\xE2\xA2", "\xE2\xA3"})
     patterns += braille.count(start_of);
   EXPECT_GT(patterns, 0U);
-  braille.type("q");
-  EXPECT_EQ(braille.wait_for_end(), 0);
+  expect_end_by_key(braille);
 }
 
 TEST(Play, SaysThatASceneHasNoGravity) {
@@ -145,8 +130,7 @@ TEST(Play, SwitchesEveryEffectOfTheSceneOffAndOn) {
     terminal.type(key);
     EXPECT_TRUE(terminal.wait_for(" " + name + " on")) << terminal.text();
   }
-  terminal.type("q");
-  EXPECT_EQ(terminal.wait_for_end(), 0);
+  expect_end_by_key(terminal);
 }
 
 TEST(Play, FollowsTheSizeOfTheScreen) {
@@ -163,7 +147,7 @@ TEST(Play, FollowsTheSizeOfTheScreen) {
     EXPECT_TRUE(terminal.wait([&](const Terminal& t) {
       if (!fits) return t.row(0)[0] == 't';
       // The box touches the edges one way or the other, and the status is in its row below.
-      const int box_rows = size.rows - (size.rows >= 12 ? 2 : 1);
+      const int box_rows = status_row(size.rows);
       const std::string middle = t.row(box_rows / 2);
       const bool wide = middle.front() == '|' && middle.back() == '|';
       const bool high = t.row(0).find("+-") != std::string::npos &&
@@ -174,138 +158,7 @@ TEST(Play, FollowsTheSizeOfTheScreen) {
         << 'x' << size.rows << '\n'
         << terminal.text();
   }
-  terminal.type("q");
-  EXPECT_EQ(terminal.wait_for_end(), 0);
-  EXPECT_TRUE(terminal.given_back());
-}
-
-TEST(Play, StopsAtTheStopKeyAndGoesOnWhereItWas) {
-  const SceneFile scene(kThreeBalls);
-  Terminal terminal({scene.path()});
-  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
-  for (int round = 0; round < 2; ++round) {
-    const double stopped = shown_time(terminal);
-    ASSERT_GE(stopped, 0);
-    terminal.type("\x1A");  // ^Z
-    ASSERT_TRUE(terminal.wait_until_stopped());
-    terminal.watch(std::chrono::milliseconds{50}, [] {});
-    EXPECT_TRUE(terminal.given_back());
-    // Longer than the simulated time may be off by below.
-    terminal.watch(std::chrono::milliseconds{2500}, [] {});
-    terminal.resize(70 + round, 22);
-    terminal.signal(SIGCONT);
-    EXPECT_TRUE(terminal.wait([](const Terminal& t) {
-      return t.alternate_screen() && !t.cursor_visible() &&
-             t.row(20).find(" s  ") != std::string::npos;
-    })) << terminal.text();
-    const double after = shown_time(terminal);
-    EXPECT_GE(after, stopped);
-    EXPECT_LT(after, stopped + 2) << "the time it was stopped has passed in the scene";
-    EXPECT_TRUE(terminal.mode_on("2004"));
-    EXPECT_TRUE(terminal.mode_on("1002"));
-  }
-  terminal.type("q");
-  EXPECT_EQ(terminal.wait_for_end(), 0);
-  EXPECT_TRUE(terminal.given_back());
-}
-
-TEST(Play, DrawsAllAgainWhenItIsContinuedAfterAStopThatItCouldNotSee) {
-  const SceneFile scene(kThreeBalls);
-  Terminal terminal({scene.path()});
-  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
-  terminal.signal(SIGSTOP);
-  ASSERT_TRUE(terminal.wait_until_stopped());
-  const double before = shown_time(terminal);
-  terminal.resize(60, 20);
-  terminal.signal(SIGCONT);
-  EXPECT_TRUE(terminal.wait([&](const Terminal& t) {
-    return t.row(18).find(" s ") != std::string::npos && shown_time(t) > before;
-  })) << terminal.text();
-}
-
-class EndedBySignal : public testing::TestWithParam<int> {};
-
-TEST_P(EndedBySignal, GivesTheTerminalBackAndTellsTheSignal) {
-  const SceneFile scene(kThreeBalls);
-  Terminal terminal({scene.path()});
-  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
-  for (const char* const mode : {"1002", "1006", "2004"}) ASSERT_TRUE(terminal.mode_on(mode));
-  if (GetParam() == SIGINT) {
-    terminal.type("\x03");  // ^C
-  } else {
-    terminal.signal(GetParam());
-  }
-  EXPECT_EQ(terminal.wait_for_end(), 128 + GetParam());
-  EXPECT_TRUE(terminal.given_back()) << terminal.text();
-  EXPECT_EQ(terminal.shows("carom: three: "), GetParam() != SIGHUP) << terminal.text();
-}
-
-INSTANTIATE_TEST_SUITE_P(Signals, EndedBySignal,
-                         testing::Values(SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGUSR1,
-                                         SIGUSR2, SIGALRM, SIGXCPU, SIGXFSZ, SIGVTALRM, SIGPROF,
-                                         SIGPOLL, SIGPWR, SIGSTKFLT,
-                                         40));  // the last is a real-time one
-
-class Crash : public testing::TestWithParam<int> {};
-
-TEST_P(Crash, GivesTheTerminalBack) {
-  const SceneFile scene(kThreeBalls);
-  Terminal terminal({scene.path()});
-  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
-  for (const char* const mode : {"1002", "1006", "2004"}) ASSERT_TRUE(terminal.mode_on(mode));
-  ASSERT_FALSE(terminal.given_back());
-  terminal.signal(GetParam());
-  EXPECT_EQ(terminal.wait_for_end(), Terminal::kKilled + GetParam());
-  EXPECT_TRUE(terminal.given_back()) << terminal.text();
-}
-
-INSTANTIATE_TEST_SUITE_P(Signals, Crash,
-                         testing::Values(SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSYS,
-                                         SIGTRAP));
-
-TEST(Play, EndsThoughItsOutputWasStopped) {
-  const SceneFile scene(kThreeBalls);
-  for (const int signal : {0, SIGTERM, SIGUSR1}) {
-    Terminal terminal({scene.path()});
-    ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
-    terminal.type("\x13");  // ^S
-    terminal.watch(std::chrono::milliseconds{300}, [] {});
-    if (signal == 0) {
-      terminal.type("q");
-    } else {
-      terminal.signal(signal);
-    }
-    EXPECT_EQ(terminal.wait_for_end(), signal == 0 ? 0 : 128 + signal);
-    EXPECT_TRUE(terminal.given_back()) << terminal.text();
-  }
-}
-
-TEST(Play, ShowsTheLatestPictureOnceStoppedOutputGoesOn) {
-  const SceneFile scene(kThreeBalls);
-  Terminal terminal({scene.path()});
-  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
-  terminal.type("\x13");
-  terminal.watch(std::chrono::milliseconds{200}, [] {});
-  const double before = shown_time(terminal);
-  terminal.watch(std::chrono::milliseconds{800}, [] {});
-  EXPECT_LT(shown_time(terminal), before + 0.3);
-  terminal.type("p\x11");  // and ^Q
-  EXPECT_TRUE(terminal.wait([&](const Terminal& t) {
-    return t.shows("paused") && shown_time(t) > before + 0.3;
-  })) << terminal.text();
-}
-
-TEST(Play, EndsThoughItsOutputIsNotRead) {
-  const SceneFile scene(kThreeBalls);
-  Terminal terminal({scene.path()});
-  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
-  // A pseudo-terminal holds some 64 KiB at the most: large pictures fill it.
-  for (int i = 0; i < 60; ++i) {
-    terminal.resize(250 + i % 2, 90);
-    std::this_thread::sleep_for(std::chrono::milliseconds{40});
-  }
-  terminal.signal(SIGTERM);
-  EXPECT_TRUE(terminal.ends_unread());
+  expect_end_by_key(terminal);
 }
 
 TEST(Play, TakesNoPartOfAnEscapeSequenceForAKey) {
@@ -328,21 +181,6 @@ TEST(Play, TakesNoPartOfAnEscapeSequenceForAKey) {
     EXPECT_TRUE(terminal.wait_for(" 4 balls")) << terminal.text();
     EXPECT_TRUE(terminal.mode_on("2004"));
   }
-}
-
-TEST(Play, AnswersKeysAndSignalsWhilePaused) {
-  const SceneFile scene(kThreeBalls);
-  Terminal terminal({scene.path()});
-  ASSERT_TRUE(terminal.wait_for("fps")) << terminal.text();
-  terminal.type("p");
-  ASSERT_TRUE(terminal.wait_for("paused")) << terminal.text();
-  terminal.resize(100, 30);
-  EXPECT_TRUE(terminal.wait([](const Terminal& t) {
-    return t.row(28).find("paused") != std::string::npos;
-  })) << terminal.text();
-  terminal.signal(SIGTERM);
-  EXPECT_EQ(terminal.wait_for_end(), 128 + SIGTERM);
-  EXPECT_TRUE(terminal.given_back());
 }
 
 TEST(Play, ShowsColoursOnlyWhereTheyAreWanted) {

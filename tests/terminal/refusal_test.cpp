@@ -8,6 +8,7 @@
 
 #include "carom/crew.hpp"
 #include "scenes.hpp"
+#include "steps.hpp"
 #include "terminal.hpp"
 #include "view/player.hpp"
 #include "view/terminal_screen.hpp"
@@ -48,9 +49,7 @@ TEST(Refusal, TreatsAnUnknownTerminalAsTheUsualOneAndSaysSo) {
   settings.environment = {"TERM=no-such-terminal", "LANG=C"};
   Terminal terminal({scene.path()}, settings);
   ASSERT_TRUE(terminal.wait_for(" 3 balls")) << terminal.text();
-  terminal.type("q");
-  EXPECT_EQ(terminal.wait_for_end(), 0);
-  EXPECT_TRUE(terminal.given_back());
+  expect_end_by_key(terminal);
   EXPECT_NE(flowing(terminal).find(
                 "carom: TERM=no-such-terminal is not known here: treated as xterm-256color"),
             std::string::npos)
