@@ -87,7 +87,7 @@ Scene without_refused_lines(Scene scene) {
 double most_unexplained(const Scene& scene) {
   if (scene.effects.attraction) return 0.05;
   if (scene.solver.method == Method::overlap) return 1e-11;
-  return scene.effects.gravity && loses_energy(scene) ? 1e-5 : 1e-13;
+  return scene.effects.gravity && loses_energy(scene) ? 1e-12 : 1e-13;
 }
 
 /// Runs that find no end to their impacts: exact balls that lose energy and gather.
