@@ -55,8 +55,13 @@ Lattice lattice(unsigned seed, double unit = 1) {
 // island takes the impact on a wall as a contact that rests.
 // Of the others, 546 to 2455 lost up to 1e-5 of it in silence, 310 to 3812 ended with an error, and
 // 1350 took a minute for a wedge of 2e-5.
+// 1768, 3492 overlapped by 8e-6 where a hit of an island left what it should stop, 2684 by 1e-5
+// where a step closed a gap twice to keep its energy, and 2073 by 5e-4 where balls that touch
+// joined two islands at one instant.  3613 met a fixed ball and the floor in turn for ever, by
+// rounding.
 TEST(EventContact, elastic_lattices_end_and_keep_their_energy) {
-  std::vector<unsigned> seeds{546, 557, 823, 1444, 1926, 1935, 2455, 310, 866, 1350, 3418, 3812};
+  std::vector<unsigned> seeds{546,  557,  823,  1444, 1926, 1935, 2455, 310, 866,
+                              1350, 3418, 3812, 1768, 3492, 2684, 2073, 3613};
   for (unsigned seed = 0; seed < 300; ++seed) seeds.push_back(seed);
   for (const unsigned seed : seeds) {
     const Lattice start = lattice(seed);

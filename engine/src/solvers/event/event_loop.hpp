@@ -43,6 +43,8 @@ inline constexpr int kManyAtOnce = 256;
 /// How often balls are taken as jammed before time goes on.
 inline constexpr int kMostJams = 1000;
 inline constexpr int kMostDoublings = 12;
+/// How often what an island's contacts hold, and the energy it keeps, are seen to in turn.
+inline constexpr int kMostTurns = 32;
 
 /// What has happened so far.
 struct Counts {
@@ -362,6 +364,10 @@ class EventLoop {
   void put_on_walls(FoundIsland& island) const;
   void press(FoundIsland& island, double span, double goal, std::vector<double>& loads) const;
   void hold_on(FoundIsland& island, double span, double goal, std::vector<double>& loads) const;
+  /// Whether the contact is held until the next step, where collisions are elastic.
+  [[nodiscard]] bool holds(const FoundIsland& island, std::size_t contact) const;
+  void keep_gaps(FoundIsland& island, double had, double span, double goal,
+                 std::vector<double>& loads) const;
 
   // Steps of islands: loop_island_step_body.hpp.
   void step_islands(At now);
@@ -396,6 +402,7 @@ class EventLoop {
   Time next_step_ = P::Clock::never();  ///< of islands
   Time stepped_ = 0;                    ///< when the last one was, or the balls were taken
   std::vector<int> number_;             ///< in the island that is looked at; -1
+  std::vector<char> joins_;             ///< it is of an island that is hit now
   ImpactLog* log_ = nullptr;            ///< null: impacts are not noted
   std::vector<Impact> slid_;            ///< slides that ended at this instant, if impacts are noted
   double overlap_ = 0;                  ///< at the last impact of two

@@ -96,9 +96,13 @@ void EventLoop<P>::look_again(Index i, At now) {
 template <class P>
 void EventLoop<P>::meet_alone(Index i, Index partner, At now) {
   if (partner >= kWalls) {
+    const Index was_left = disks_[i].start == now ? left(i) : kUnknown;
     book_.note(motion_.bounce(disks_[i], spin(i), partner, now));
     ++counts_.ball_wall;
-    if (!left_.empty()) left_[i] = kUnknown;
+    // In a gap of zero between the two it goes on along both: what is left of its approach is
+    // rounding.
+    const bool along = was_left != kUnknown && !comes_nearer(i, was_left, now);
+    if (!left_.empty()) left_[i] = along ? was_left : kUnknown;
     update_support(i);
     return;
   }

@@ -39,6 +39,13 @@ void EventLoop<P>::hit_islands(std::vector<std::vector<Index>> hits, At now) {
     gather(island, now, true);
     return island;
   };
+  // Those that touch become one island, though none of them is of one yet.
+  const auto mark = [&](char joins) {
+    for (const auto& members : hits) {
+      for (const Index m : members) joins_[m] = joins;
+    }
+  };
+  mark(1);
   std::vector<FoundIsland> islands;
   for (std::size_t k = 0; k < hits.size(); ++k) {
     // A ball that an earlier island has brings its island with it.
@@ -59,6 +66,7 @@ void EventLoop<P>::hit_islands(std::vector<std::vector<Index>> hits, At now) {
       if (!more) islands.push_back(std::move(island));
     }
   }
+  mark(0);
   for (FoundIsland& island : islands) {
     begin_resolution();
     hit_island(island, now);
@@ -230,8 +238,12 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
   if (hits.walls + hits.balls > 1) ++counts_.joint_impacts;
 
   const double had = energy_of(island, span).all();
-  const double goal = kSolved * hits.fastest;
   const bool elastic = motion_.elastic();
+  // What a joint impact has left is only what gravity makes until the next step.
+  const double goal = elastic ? std::max(kSolved * static_cast<double>(motion_.speed_of_step()),
+                                         kSolved * kSolved * hits.fastest) *
+                                    kSolved
+                              : kSolved * hits.fastest;
   IslandLog log;
   const Vec<double> g = in_double(motion_.law().pull());
   if (elastic) {
@@ -258,9 +270,14 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
   hold_on(island, span, goal, loads);
   put_on_walls(island);
   for (ConeContact& contact : island.contacts) contact.parting = 0;
-  if (keep_energy(island, had - 2 * hits.held, span) && !motion_.keeps_energy()) {
-    hold_on(island, span, goal, loads);
-    put_on_walls(island);
+  const double kept = had - 2 * hits.held;
+  if (keep_energy(island, kept, span)) {
+    if (motion_.keeps_energy()) {
+      keep_gaps(island, kept, span, goal, loads);
+    } else {
+      hold_on(island, span, goal, loads);
+      put_on_walls(island);
+    }
   }
   const double lost = loss_of(island, had, span);
   if (!(hits.held > 0)) note_held(island, lost);
@@ -276,19 +293,25 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
   log_loss(first_line, fly_on(island, now));
 }
 
+template <class P>
+bool EventLoop<P>::holds(const FoundIsland& island, std::size_t contact) const {
+  const auto steps = [&](int body) {
+    return body == kWall || island.carried[static_cast<std::size_t>(body)] == kStepped;
+  };
+  const ConeContact& c = island.contacts[contact];
+  return steps(c.a) && steps(c.b) && lasts(island, contact);
+}
+
 // Impulses by which nothing closes before the next step; where impacts are elastic, only among
 // those that stay, as others meet at their own time.
 template <class P>
 void EventLoop<P>::press(FoundIsland& island, double span, double goal,
                          std::vector<double>& loads) const {
-  const auto steps = [&](int body) {
-    return body == kWall || island.carried[static_cast<std::size_t>(body)] == kStepped;
-  };
   std::vector<ConeContact> contacts;
   std::vector<std::size_t> number;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const ConeContact& c = island.contacts[k];
-    if (motion_.elastic() && !(steps(c.a) && steps(c.b) && lasts(island, k))) continue;
+    if (motion_.elastic() && !holds(island, k)) continue;
     contacts.push_back(c);
     number.push_back(k);
   }
@@ -296,6 +319,27 @@ void EventLoop<P>::press(FoundIsland& island, double span, double goal,
   ConeIsland whole(island.bodies, contacts);
   const std::vector<double> impulses = whole.resolve(island.bodies, rate, goal);
   for (std::size_t k = 0; k < number.size(); ++k) loads[number[k]] += impulses[k];
+}
+
+// What goes faster, so that energy is kept, may close a contact beyond touching: then that one is
+// held again, and what it loses goes to the others.
+template <class P>
+void EventLoop<P>::keep_gaps(FoundIsland& island, double had, double span, double goal,
+                             std::vector<double>& loads) const {
+  if (!motion_.keeps_energy() || gives_up() || !(span > 0)) return;
+  const double touching = kTouching * motion_.largest_radius();
+  const auto closes = [&] {
+    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+      const double way = approach(island, k) * span;
+      const double gap = std::max(island.contacts[k].gap, 0.0);
+      if (way > gap + touching && holds(island, k)) return true;
+    }
+    return false;
+  };
+  for (int round = 0; round < kMostTurns && closes(); ++round) {
+    press(island, span, goal, loads);
+    keep_energy(island, had, span);
+  }
 }
 
 // What leaves an island, and still comes nearer to what it touches, stays.

@@ -74,8 +74,9 @@ void EventLoop<P>::join(FoundIsland& island, Index i, At now) {
   island.places.push_back(at);
 }
 
-// All balls that can be reached from the members over near contacts of balls that are of an island.
-// `ahead`: where there are many, also those that come to them before the next step.
+// All balls that can be reached from the members over near contacts of balls that are of an island,
+// or are about to be. `ahead`: where there are many, also those that come to them before the next
+// step.
 template <class P>
 void EventLoop<P>::gather(FoundIsland& island, At now, bool ahead) {
   if (motion_.rules().collisions) {
@@ -102,7 +103,8 @@ void EventLoop<P>::add_near(FoundIsland& island, std::size_t first, At now, bool
     for (const Index j : around) {
       if (j == i || number_[j] > number_[i]) continue;  // it is found from there, too
       const bool fixed = motion_.fixed(disks_[j]);
-      if (number_[j] < 0 && !fixed && !(joins && motion_.in_island(disks_[j]))) continue;
+      const bool brings = joins && (motion_.in_island(disks_[j]) || joins_[j] != 0);
+      if (number_[j] < 0 && !fixed && !brings) continue;
       const S reach = radius + motion_.species(disks_[j]).radius;
       const Vec<S> there = number_[j] >= 0 ? island.places[static_cast<std::size_t>(number_[j])]
                                            : motion_.wrapped(motion_.place(disks_[j], now));

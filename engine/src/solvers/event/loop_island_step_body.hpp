@@ -220,7 +220,7 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
     (x ? island.bodies[a].velocity.x : island.bodies[a].velocity.y) = 0;
     island.carried[a] = 0;
   }
-  keep_energy(island, had, span);
+  if (keep_energy(island, had, span)) keep_gaps(island, had, span, goal, loads);
   const double lost = loss_of(island, had, span);
   note_held(island, lost);
   const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;

@@ -12,6 +12,7 @@ template <class P>
 void EventLoop<P>::start_resting(At now) {
   if (!motion_.hops()) return;
   number_.assign(disks_.size(), -1);
+  joins_.assign(disks_.size(), 0);
   for (Index i = 0; i < disks_.size(); ++i) {
     Disk& disk = disks_[i];
     if (motion_.fixed(disk)) continue;
