@@ -29,9 +29,16 @@ void note_contacts(const LastingIsland& island, const Balls& balls, const Island
   const std::size_t first = log.impacts.size();
   const auto carried = std::count_if(outcome.normal.begin(), outcome.normal.end(),
                                      [](double impulse) { return impulse > 0; });
+  // Where nothing carries an impulse, what was put back onto a wall stands with the nearest
+  // contact.
+  const auto nearer = [](const IslandContact& a, const IslandContact& b) { return a.gap < b.gap; };
+  const auto nearest = static_cast<std::size_t>(
+      std::min_element(island.contacts.begin(), island.contacts.end(), nearer) -
+      island.contacts.begin());
+  const bool put_back = carried == 0 && island.lost > 0;
   double shares = 0;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (!(outcome.normal[k] > 0)) continue;
+    if (!(outcome.normal[k] > 0) && !(put_back && k == nearest)) continue;
     const IslandContact& c = island.contacts[k];
     const LastingIsland::Member& a = island.members[static_cast<std::size_t>(c.a)];
     const bool wall = island.sources[k].wall;

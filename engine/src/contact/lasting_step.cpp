@@ -20,7 +20,7 @@ constexpr double kStillAlone = 0x1p-10;
 
 void count_impacts(LastingIsland& island, const IslandOutcome& outcome) {
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (outcome.bounced[k] == 0) continue;
+    if (outcome.bounced[k] == 0 || !(outcome.normal[k] > 0)) continue;
     ++(island.sources[k].wall ? island.ball_wall : island.ball_ball);
   }
 }
