@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/cone_response.hpp"
+
+namespace carom::event {
+
+/// The least impulses, none of which pulls, by which no edge of an island's cones closes: conjugate
+/// gradients on what pushes, with steps onto and off the bounds (modified proportioning).
+///
+/// Holds: the bits do not depend on the order of contacts or bodies.
+/// Source: Dostal, Schoeberl, Comput. Optim. Appl. 30 (2005) 23.
+class ConeDescent {
+ public:
+  using Column = ConeResponse::Column;
+
+  explicit ConeDescent(ConeResponse& response);
+
+  /// `parting`: how fast each edge parts without impulses; how far the contacts gave way is taken
+  /// off.  `impulses`: where it starts, and what it finds.  What remains of speeds that should be
+  /// stopped is at most `goal`.
+  void solve(Column& parting, Column& impulses, double goal);
+
+ private:
+  void descend(const Column& parting, Column& impulses, double goal);
+  /// Steps onto the bound in the way, and down along it.
+  void expand(const Column& parting, Column& impulses, double room);
+
+  ConeResponse& response_;
+  Column anchor_, slope_, way_, change_;
+};
+
+}  // namespace carom::event
