@@ -279,6 +279,21 @@ void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<P
     });
   }
   hit_islands(std::move(islands), now);
+  // What an island has taken with it has other velocities now: its contacts are looked for again.
+  const auto is_taken = [&](std::vector<Index> balls) {
+    if (std::none_of(balls.begin(), balls.end(), [&](Index m) { return moves(m) && is_past(m); })) {
+      return false;
+    }
+    for (const Index m : balls) {
+      if (!moves(m) || is_past(m)) continue;
+      unlink(m);
+      forget(m);
+      changed_.push_back(m);
+    }
+    return true;
+  };
+  std::erase_if(others, [&](const SimultaneousImpact& group) { return is_taken(group.members); });
+  std::erase_if(alone, [&](const Pair& pair) { return is_taken({pair.first, pair.second}); });
   for (SimultaneousImpact& group : others) {
     begin_resolution();
     resolve_group(group, looked_for, now);
