@@ -25,7 +25,9 @@ struct Outcome {
   std::string state_hash;
   std::uint64_t ball_ball = 0;
   std::uint64_t ball_wall = 0;
+  std::uint64_t resting_contacts = 0;
   double max_overlap = 0;
+  double dissipated = 0;
 
   bool operator==(const Outcome&) const = default;
 };
@@ -52,7 +54,8 @@ Outcome run(const Case& c, const Run& how, std::uint64_t* again = nullptr) {
   Measurements measured;
   solver.count(measured);
   if (again != nullptr) *again += measured.islands_again;
-  return {solver.state_hash(), measured.ball_ball, measured.ball_wall, measured.max_overlap};
+  return {solver.state_hash(),       measured.ball_ball,   measured.ball_wall,
+          measured.resting_contacts, measured.max_overlap, solver.dissipated()};
 }
 
 Scene falling() {
@@ -111,6 +114,19 @@ Scene bullet() {
   return scene;
 }
 
+// Impacts take energy and nothing presses balls together: a granular gas.
+Scene granular(Scene scene, double restitution) {
+  scene.effects.collisions->restitution = restitution;
+  return scene;
+}
+
+// Balls so close that impacts follow each other ever faster, and some stay together.
+Scene collapsing() {
+  Scene scene = granular(test::gas(14, 16, 0.75), 0.1);
+  scene.effects.friction = Friction{0.3, 0};
+  return scene;
+}
+
 std::vector<Case> cases() {
   return {{"gas", test::gas(36, 40, 0.5), 1},
           {"thin gas", test::gas(36, 40, 0.05), 8},
@@ -119,7 +135,10 @@ std::vector<Case> cases() {
           {"two sizes and fixed balls", two_sizes(), 0.7},
           {"in step", in_step(), 2},
           {"chain", chain(), 30},
-          {"bullet", bullet(), 0.2}};
+          {"bullet", bullet(), 0.2},
+          {"granular", granular(test::gas(30, 34, 0.5), 0.8), 2},
+          {"granular and walled", granular(test::walled_gas(30, 34, 0.6), 0.5), 1.5},
+          {"collapsing", collapsing(), 0.2}};
 }
 
 TEST(EventDomains, OfAnyNumberOfWorkersGiveTheBitsOfOneEventLoop) {

@@ -274,6 +274,7 @@ class EventLoop {
   [[nodiscard]] bool meets_another(Index i, Index partner, At now) const;
   /// What meets at the present instant, as far as it is known: all of it at once, so that no order
   /// of the balls shows.
+  void wait_for_all_that_are_met(At now);
   void resolve_waiting();
   [[nodiscard]] std::optional<bool> is_joint(Index i, Index partner, At now);
   using Pair = std::pair<Index, Index>;  ///< a ball, and what it meets

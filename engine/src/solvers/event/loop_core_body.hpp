@@ -215,15 +215,19 @@ void LoopCore<P>::sort_again() {
   }
 }
 
-/// Whether the balls are many enough, and nothing comes to rest or is left at a fixed ball.
+/// Whether the balls are many enough, and nothing comes to rest or is left at a fixed ball.  Where
+/// nothing presses balls together, contacts that last are rare: domains leave them to an event
+/// loop.
 template <class P>
 bool LoopCore<P>::suits_domains() const {
-  if (!kShares || no_domains_ || log_.wanted || rests_ || !effects_.collisions) return false;
+  if (!kShares || no_domains_ || log_.wanted || !effects_.collisions) return false;
+  const bool loses = loses_energy(effects_);
+  if (rests_ && (effects_.gravity || !loses)) return false;
   const std::size_t least = workers_ > 1 ? workers_ * sharing_.balls_of_worker : 0;
   if (balls_.size() < std::max(least, sharing_.least_balls)) return false;
   const bool bends = effects_.gravity || effects_.drag;
-  if (effects_.drag && (effects_.gravity || effects_.friction)) return false;
-  if (loses_energy(effects_)) return false;
+  // What drag takes is known by the time alone where nothing else takes energy.
+  if (effects_.drag && (effects_.gravity || effects_.friction || loses)) return false;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     // Domains do not count how often a ball goes round.
     if (domain_.period[axis] > 0 && gravity_of(effects_)[axis] != 0) return false;

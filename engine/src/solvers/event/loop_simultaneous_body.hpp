@@ -343,9 +343,38 @@ std::optional<bool> EventLoop<P>::is_joint(Index i, Index partner, At now) {
          (motion_.clusters() && ball && motion_.collapses(disks_[i], disks_[partner], now));
 }
 
+// A ball that has been hit at this instant may be sent into several at once, of which its event is
+// only one: to be linked whichever that is, all of them wait.
+template <class P>
+void EventLoop<P>::wait_for_all_that_are_met(At now) {
+  const std::size_t known = waiting_.size();
+  const auto add = [&](Index i, Index j) {
+    const bool waits = std::any_of(waiting_.begin(), waiting_.end(), [&](const Pair& pair) {
+      return (pair.first == i && pair.second == j) || (pair.first == j && pair.second == i);
+    });
+    if (!waits && !is_resolved(i, j) && comes_nearer(i, j, now)) waiting_.push_back({i, j});
+  };
+  for (std::size_t k = 0; k < known; ++k) {
+    for (const Index i : {waiting_[k].first, waiting_[k].second}) {
+      if (!moves(i) || !is_past(i)) continue;
+      const Disk& disk = disks_[i];
+      for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
+        if (!motion_.rules().domain.solid((wall - kWalls) / 2)) continue;
+        if (motion_.wall_meets(disk, wall) <= now) add(i, wall);
+      }
+      if (!motion_.rules().collisions) continue;
+      neighbours_.lists().each(i, [&](Index j) {
+        const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
+        if (motion_.pair_meets(disk, disks_[j], from_contact, now) <= now) add(i, j);
+      });
+    }
+  }
+}
+
 template <class P>
 void EventLoop<P>::resolve_waiting() {
   const auto now = instant_;
+  if (!past_.empty()) wait_for_all_that_are_met(now);
   for (const auto& [i, partner] : waiting_) {
     count_hit(i);
     if (moves(partner)) count_hit(partner);

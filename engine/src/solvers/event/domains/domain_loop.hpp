@@ -42,7 +42,8 @@ struct DomainWindow {
 /// most predictions is never.
 ///
 /// What is rare is not done here: impacts of one instant that share a ball, or that are passed on
-/// at once.  Then the window is to be solved by EventLoop from the same flights.
+/// at once, and impacts after which two balls stay together.  Then the window is to be solved by
+/// EventLoop from the same flights.
 ///
 /// Source: B. Lubachevsky, J. Comput. Phys. 94 (1991) 255: one event a ball.
 template <class P>

@@ -91,8 +91,11 @@ void DomainLoop<P>::meet(Slot i, Slot j, Ticks now) {
     }
     queue_.remove(j);
   }
+  const bool clusters = motion_.clusters();
+  if (clusters && moves && motion_.collapses(disks_[i], disks_[j], now)) unusual_ = true;
   const typename Motion<P>::Strike strike =
       motion_.strike(disks_[i], spin_of(i), disks_[j], spin_of(j), now);
+  if (clusters && motion_.stay_together(disks_[i], disks_[j])) unusual_ = true;
   const bool own_i = sides_[i].own != 0;
   const bool own_j = moves ? sides_[j].own != 0 : own_i;
   if (own_i || own_j) {
