@@ -160,7 +160,7 @@ TEST_P(EventSymmetry, frames_only_look) {
   expect_same(once, run(scene_, 6, 2000), same, same, 1);
 }
 
-// Whatever is kept beside the flights is made anew: neighbours, event queue, the order in memory.
+// Whatever is kept beside the flights is made again: neighbours, event queue, the order in memory.
 TEST_P(EventSymmetry, setting_an_effect_to_what_it_is_changes_no_bit) {
   const auto solver = std::make_unique<EventSolver>(scene_, scene_.balls);
   const std::vector<Phase> phases = solver->phases();

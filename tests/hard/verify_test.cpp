@@ -27,7 +27,7 @@
 //   event, sign of friction               pile (it does not come to an end)
 //   event, speeds below 1e-9 are none     scaled start
 //   event, an endless wait not foreseen   start
-//   event, flights anew in each frame     order
+//   event, flights made again in each frame     order
 //   event, going on from rounded places   order reversal
 //   event, a flight's fixed ball unsaved  order
 //   overlap, sign of a pair's impulse     cradle order pile scaled start (most never end)

@@ -150,7 +150,7 @@ TEST(ConflictGroups, HaveTheBitsOfOneEventLoop) {
   compare_all<Ballistic>();
 }
 
-// For a sanitizer of threads: what a phase reads nobody writes in it.
+// For a sanitizer of threads: what a phase reads is not written in it.
 TEST(ConflictGroups, AreSolvedByThreads) {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     const Setting setting = draw(seed, false);

@@ -185,7 +185,7 @@ TEST(Domains, HaveTheBitsOfOneEventLoopWithDrag) {
   compare_all<Drag>(60);
 }
 
-// For a sanitizer of threads: what a phase reads nobody writes in it.
+// For a sanitizer of threads: what a phase reads is not written in it.
 TEST(Domains, AreSolvedByThreads) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const Setting setting = draw(seed, false);

@@ -142,7 +142,7 @@ RC_GTEST_PROP(EventRun, TimeTurnedRoundComesBackTheNearerTheMoreDigits, ()) {
   scene.effects.collisions->restitution = scene.effects.walls->restitution = 1;
   scene.effects.drag.reset();
   scene.effects.friction.reset();
-  // Flights start anew, to be turned round, where the field is set.
+  // Flights start again, to be turned round, where the field is set.
   if (!scene.effects.gravity) scene.effects.gravity = Gravity{{0, 0}};
   for (Ball& ball : scene.balls) ball.spin = 0;
   scene.duration = 1;

@@ -146,7 +146,7 @@ TEST(Crew, ResizingStartsAndEndsJustTheDifference) {
     crew.do_frame();
     EXPECT_EQ(count, workers);
     for (std::size_t i = 0; i < std::min<std::size_t>(workers, 4); ++i) {
-      EXPECT_TRUE(pthread_equal(ids[i], before[i])) << "worker " << i << " was started anew";
+      EXPECT_TRUE(pthread_equal(ids[i], before[i])) << "worker " << i << " was started again";
     }
   };
   for (const std::size_t workers : {5U, 16U, 15U, 15U, 4U}) expect(workers);

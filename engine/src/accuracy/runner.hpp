@@ -14,7 +14,7 @@ namespace carom::accuracy {
 /// One way of computing a scene.
 struct Way {
   Method method = Method::event;
-  std::optional<double> step;  ///< absent: the scene's, which nobody takes
+  std::optional<double> step;  ///< absent: the scene has one that is not taken
   int digits = 16;
 };
 

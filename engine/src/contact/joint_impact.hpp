@@ -1,13 +1,14 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "contact/common_velocities.hpp"
 #include "contact/dissipation.hpp"
+#include "contact/kept_energy.hpp"
 #include "contact/nonnegative_impulses.hpp"
 #include "contact/pair_friction.hpp"
 #include "contact/pair_impact.hpp"
@@ -112,7 +113,9 @@ class JointImpact {
     }
     settle();
     for (int again = 0; again < 4 && elastic && (stopped || report_.locked > 0); ++again) {
-      keep_energy(start, again == 0);
+      const double held = KeptEnergy<S>(bodies_, graph_).give_back(start, velocity_);
+      if (again == 0) report_.held_energy += held;
+      note_peaks();
       if (!choose(false)) break;
       settle();
     }
@@ -168,96 +171,6 @@ class JointImpact {
       if (all[k] && !(got[k] > 0.5)) return true;
     }
     return false;
-  }
-
-  /// The group of each body: those that touch, over bodies that can move.
-  std::vector<std::size_t> groups() const {
-    std::vector<std::size_t> one(bodies_.size());
-    for (std::size_t k = 0; k < one.size(); ++k) one[k] = k;
-    const auto find = [&one](std::size_t k) {
-      while (one[k] != k) k = one[k] = one[one[k]];
-      return k;
-    };
-    for (std::size_t k = 0; k < graph_.size(); ++k) {
-      const Contact<S>& c = graph_.contact(k);
-      if (graph_.inverse_mass(c.a) != 0 && graph_.inverse_mass(c.b) != 0) {
-        one[find(index(c.a))] = find(index(c.b));
-      }
-    }
-    for (std::size_t k = 0; k < one.size(); ++k) one[k] = find(k);
-    return one;
-  }
-
-  /// Gives every group the energy it had at `start` back, by one factor for the velocities of all
-  /// its bodies; seen from its centre of mass, if it touches nothing fixed.
-  void keep_energy(const std::vector<Vec<S>>& start, bool first) {
-    const std::vector<std::size_t> group = groups();
-    std::vector<char> held(bodies_.size(), 0);
-    for (std::size_t k = 0; k < graph_.size(); ++k) {
-      const Contact<S>& c = graph_.contact(k);
-      if (graph_.inverse_mass(c.a) != 0 && graph_.inverse_mass(c.b) == 0)
-        held[group[index(c.a)]] = 1;
-      if (graph_.inverse_mass(c.a) == 0 && graph_.inverse_mass(c.b) != 0)
-        held[group[index(c.b)]] = 1;
-    }
-    for (std::size_t root_body = 0; root_body < group.size(); ++root_body) {
-      ExactSum<S> mass;
-      ExactSum<S> x;
-      ExactSum<S> y;
-      std::vector<std::size_t> members;
-      for (std::size_t k = 0; k < group.size(); ++k) {
-        if (group[k] != root_body || bodies_[k].inverse_mass == 0) continue;
-        members.push_back(k);
-        mass.add(1 / bodies_[k].inverse_mass);
-        x.add(velocity_[k].x / bodies_[k].inverse_mass);
-        y.add(velocity_[k].y / bodies_[k].inverse_mass);
-      }
-      if (members.empty()) continue;
-      const Vec<S> centre = held[root_body] ? Vec<S>{S(0), S(0)}
-                                            : Vec<S>{S(x.rounded() / mass.rounded()),
-                                                     S(y.rounded() / mass.rounded())};
-      const S had = relative_energy(members, start, centre);
-      const S has = relative_energy(members, velocity_, centre);
-      if (!(had > 0) || had == has) continue;
-      const S noise = std::numeric_limits<S>::epsilon() * had;
-      if (!(has > noise)) {
-        if (go_back(members, start, centre)) continue;
-        if (first && had - has > noise)
-          report_.held_energy += static_cast<double>(S((had - has) / 2));
-        continue;
-      }
-      const S factor = root(S(had / has));
-      for (const std::size_t k : members) velocity_[k] = centre + factor * (velocity_[k] - centre);
-    }
-    note_peaks();
-  }
-
-  /// What can move nowhere goes back the way it came, as out of a wedge, if that is open.
-  bool go_back(const std::vector<std::size_t>& members, const std::vector<Vec<S>>& start,
-               const Vec<S>& centre) {
-    const std::vector<Vec<S>> before = velocity_;
-    for (const std::size_t k : members) velocity_[k] = centre + (centre - start[k]);
-    std::vector<char> moved(bodies_.size(), 0);
-    for (const std::size_t k : members) moved[k] = 1;
-    for (std::size_t k = 0; k < graph_.size(); ++k) {
-      const Contact<S>& c = graph_.contact(k);
-      const bool concerns = moved[index(c.a)] != 0 || (c.b != kWall && moved[index(c.b)] != 0);
-      if (!concerns || !(sharp_dot(c.r, velocity(c.b) - velocity(c.a)) < 0)) continue;
-      velocity_ = before;
-      return false;
-    }
-    return true;
-  }
-
-  S relative_energy(const std::vector<std::size_t>& members, const std::vector<Vec<S>>& velocity,
-                    const Vec<S>& centre) const {
-    ExactSum<S> sum;
-    for (const std::size_t k : members) {
-      const Vec<S> v = velocity[k] - centre;
-      sum.add(v.x * v.x / bodies_[k].inverse_mass);
-      sum.add(v.y * v.y / bodies_[k].inverse_mass);
-    }
-    return sum.rounded();
   }
 
   int most_rounds() const {
@@ -455,31 +368,17 @@ class JointImpact {
   /// and stay one body so, until nothing approaches.
   void lock() {
     const double had = energy();
-    std::array<std::vector<std::size_t>, 2> one;
-    for (auto& axis : one) {
-      axis.resize(bodies_.size() + 1);  // the last: what never moves
-      for (std::size_t k = 0; k < axis.size(); ++k) axis[k] = k;
-    }
-    std::vector<char> locked(bodies_.size(), 0);
+    CommonVelocities<S> common(bodies_, graph_);
     // First along the axes that a contact does not only seem to have by rounding.
     S least = kRoundingOfNormal;
     while (const auto approaching = choose(false)) {
       for (std::size_t k = 0; k < graph_.size(); ++k) {
-        if (!(*approaching)[k]) continue;
-        const Contact<S>& c = graph_.contact(k);
-        for (const int body : {c.a, c.b}) {
-          if (graph_.inverse_mass(body) != 0) locked[index(body)] = 1;
-        }
-        const S x = absolute(c.r.x);
-        const S y = absolute(c.r.y);
-        if (x > least * y) join(one[0], c);
-        if (y > least * x) join(one[1], c);
+        if ((*approaching)[k]) common.join(k, least);
       }
       least = 0;
-      give_common_velocities(one[0], &Vec<S>::x);
-      give_common_velocities(one[1], &Vec<S>::y);
+      common.give(velocity_);
     }
-    report_.locked = static_cast<int>(count(locked));
+    report_.locked = common.joined();
     report_.lost += had - energy();
   }
 
@@ -494,38 +393,6 @@ class JointImpact {
       sum.add(mass * (y * y) / 2);
     }
     return sum.rounded();
-  }
-
-  static std::size_t find(const std::vector<std::size_t>& one, std::size_t k) {
-    while (one[k] != k) k = one[k];
-    return k;
-  }
-
-  void join(std::vector<std::size_t>& one, const Contact<S>& c) const {
-    const auto place = [&](int body) {
-      return graph_.inverse_mass(body) == 0 ? bodies_.size() : index(body);
-    };
-    const std::size_t a = find(one, place(c.a));
-    const std::size_t b = find(one, place(c.b));
-    one[std::min(a, b)] = std::max(a, b);
-  }
-
-  void give_common_velocities(const std::vector<std::size_t>& one, S Vec<S>::*along) {
-    for (std::size_t root_body = 0; root_body <= bodies_.size(); ++root_body) {
-      ExactSum<S> mass;
-      ExactSum<S> momentum;
-      std::vector<std::size_t> members;
-      for (std::size_t k = 0; k < bodies_.size(); ++k) {
-        if (bodies_[k].inverse_mass == 0 || find(one, k) != root_body) continue;
-        members.push_back(k);
-        mass.add(1 / bodies_[k].inverse_mass);
-        momentum.add(velocity_[k].*along / bodies_[k].inverse_mass);
-      }
-      const bool stops = root_body == bodies_.size();
-      if (members.empty() || (members.size() == 1 && !stops)) continue;
-      const S common = stops ? S(0) : S(momentum.rounded() / mass.rounded());
-      for (const std::size_t k : members) velocity_[k].*along = common;
-    }
   }
 
   std::span<Body<S>> bodies_;

@@ -26,10 +26,10 @@ namespace carom::contact {
 /// Balls that stand still and that forces within the friction cones can hold are asleep: they are
 /// part of no island, until a ball that is awake comes into one of them.
 ///
-/// Who is asleep: sleepers.hpp; how islands are found: lasting_islands.hpp, foreseen_links.hpp; how
-/// one is solved: lasting_step.hpp, island.hpp.
+/// Which balls are asleep: sleepers.hpp; how islands are found: lasting_islands.hpp,
+/// foreseen_links.hpp; how one is solved: lasting_step.hpp, island.hpp.
 ///
-/// Holds: nothing is remembered beside the balls: who is asleep stands still exactly, and is found
+/// Holds: nothing is remembered beside the balls: what is asleep stands still exactly, and is found
 /// asleep again.  No order of balls or pairs changes a bit.
 /// Threads: islands of one step are resolved at the same time; the rest by one thread.
 class LastingContacts {

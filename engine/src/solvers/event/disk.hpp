@@ -11,7 +11,7 @@ using Index = std::uint32_t;
 /// What a ball meets next, where that is not another ball.
 inline constexpr Index kFirstMark = 0xfffffff0U;
 inline constexpr Index kUnknown = 0xfffffff0U;  ///< nothing before its time: look again then
-inline constexpr Index kCarry = 0xfffffff1U;    ///< the flight is long enough: it starts anew
+inline constexpr Index kCarry = 0xfffffff1U;    ///< the flight is long enough: it starts again
 inline constexpr Index kSettles = 0xfffffff2U;  ///< what slides along a wall stops sliding
 inline constexpr Index kWalls = 0xfffffff4U;    ///< + 2 axis, + 1 for the upper one
 

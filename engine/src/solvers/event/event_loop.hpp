@@ -50,7 +50,7 @@ inline constexpr int kMostTurns = 32;
 struct Counts {
   std::uint64_t ball_ball = 0;
   std::uint64_t ball_wall = 0;
-  std::uint64_t renewals = 0;       ///< squares left: neighbours listed anew
+  std::uint64_t renewals = 0;       ///< squares left: neighbours listed again
   std::uint64_t scans = 0;          ///< searches for the next impact of a ball
   std::uint64_t stale = 0;          ///< of them, because its partner had met another
   std::uint64_t joint_impacts = 0;  ///< of several contacts at one instant
@@ -159,7 +159,7 @@ class EventLoop {
   struct SimultaneousImpact;
   struct FoundIsland;
 
-  // The order of time: tile_body.hpp.
+  // The order of time: event_loop_body.hpp.
   void next_event(Index i, At now);
   void schedule(Index i) { queue_.add(disks_[i].due(), i); }
   void start_event_queue(At now, double area);
@@ -168,10 +168,10 @@ class EventLoop {
   void fetch(std::span<const Entry> entries, std::span<const Entry> next,
              std::span<const Entry> after_next) const;
 
-  // What events cost: tile_cost_body.hpp.
+  // What events cost: loop_cost_body.hpp.
   void time_event(Index i, At now);
 
-  // Impacts: tile_impact_body.hpp.
+  // Impacts: loop_impact_body.hpp.
   void meet(Index i, At now);
   [[nodiscard]] bool moves(Index partner) const {
     return partner < kFirstMark && !motion_.fixed(disks_[partner]);
@@ -183,7 +183,7 @@ class EventLoop {
   void count_turns(Index i, At now);
   void watch(At now);
 
-  // What --events tells: tile_log_body.hpp.
+  // What --events tells: loop_log_body.hpp.
   /// `was`, `partner_was`: the flights before the impact.
   void log_alone(Index i, Index partner, const Disk& was, const Disk& partner_was, double lost,
                  At now);
@@ -209,7 +209,7 @@ class EventLoop {
   /// What has slid by now goes into the log, where no impact of an instant is taken back any more.
   void keep_slides();
 
-  // Whom a ball meets next: tile_search_body.hpp, tile_lanes_body.hpp.
+  // What a ball meets next: loop_search_body.hpp, loop_lanes_body.hpp.
   void scan(Index i, At now);
   /// What of `others` the ball meets before `best`.
   void look_at(Index i, const Index* others, std::uint32_t count, At now, Meeting<P>& best) const;
@@ -227,7 +227,8 @@ class EventLoop {
   void link(Index i, const Meeting<P>& best);
   void unlink(Index i);
 
-  // Impacts of one instant that share a ball: loop_simultaneous_body.hpp.
+  // Impacts of one instant that share a ball: which balls touch, loop_touching_body.hpp; what they
+  // become, loop_simultaneous_body.hpp.
   /// A ball as it was before the impacts of the present instant.
   struct Past {
     Index ball;
@@ -291,7 +292,7 @@ class EventLoop {
   void resolve_group(SimultaneousImpact& instant, const std::vector<Index>& looked_for, At now);
   void note_left(const SimultaneousImpact& instant, At now);
   [[nodiscard]] JointReport resolve(SimultaneousImpact& instant,
-                                    JointLog* log) const;  // tile_friction_body.hpp
+                                    JointLog* log) const;  // loop_friction_body.hpp
   /// Gives the energy that friction takes.
   double apply_friction_jointly(SimultaneousImpact& instant, JointLog* log) const;
   void add_member(SimultaneousImpact& instant, Index i, At now) const;
@@ -309,7 +310,7 @@ class EventLoop {
   [[nodiscard]] bool gives_up() const { return jams_ > kMostDoublings; }
   [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;
 
-  // Contacts that rest: tile_rest_body.hpp.
+  // Contacts that rest: loop_rest_body.hpp.
   void start_resting(At now);
   void update_support(Index i);
   void schedule_step(At now);

@@ -24,8 +24,8 @@ void EventQueue<Clock>::reset(At now, Time width, std::size_t buckets) {
 
 template <class Clock>
 void EventQueue<Clock>::rebase(At by) {
-  // Buckets are numbered anew too, by whole turns of the ring, so that no difference of times grows
-  // beyond what a number holds.
+  // Buckets are numbered again, too, by whole turns of the ring, so that no difference of times
+  // grows beyond what a number holds.
   const auto turn = static_cast<std::int64_t>(buckets_.size());
   const std::int64_t numbers = present_ / turn * turn;
   present_ -= numbers;

@@ -164,7 +164,7 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
   std::vector<char> moves(n, 0);  // by the number of a set
   for (std::size_t m = 0; m < n; ++m) {
     const ConeBody& body = island.bodies[m];
-    // Who rests already is not woken by what has not been solved to the end.
+    // A ball that rests already is not woken by what has not been solved to the end.
     const double most = island.carried[m] == kResting ? 4 * still : still;
     if (std::abs(body.velocity.x) > most || std::abs(body.velocity.y) > most ||
         std::abs(body.turning) > most || loaded[m] == 0) {

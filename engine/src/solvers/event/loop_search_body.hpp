@@ -112,7 +112,7 @@ void EventLoop<P>::scan(Index i, At now) {
   link(i, best);
 }
 
-// A fixed ball waits for nobody: it can be the partner of many.
+// A fixed ball waits for no other: it can be the partner of many.
 template <class P>
 void EventLoop<P>::link(Index i, const Meeting<P>& best) {
   if (best.partner == kUnknown) return;

@@ -91,12 +91,12 @@ class Motion {
         rules_.scale.ticks(pair_time(r, v, S(species(a).radius + species(b).radius)));
     return ticks == P::Clock::never() ? ticks : Time(later.start + ticks);
   }
-  /// When a ball meets a wall, or has flown so far that its flight starts anew.
+  /// When a ball meets a wall, or has flown so far that its flight starts again.
   /// May be later than it is where that is after `until`.
   /// `spin`: at the start of the flight; null where balls have none.
   [[nodiscard]] Meeting<P> alone(const Disk& disk, At until = P::Clock::never(),
                                  const S* spin = nullptr) const;
-  /// Starts the flight anew where it is at `now`.
+  /// Starts the flight again where it is at `now`.
   void carry(Disk& disk, At now, S* spin = nullptr) const;
   /// The spin at `now` of a ball that had this one at the start of its flight.
   [[nodiscard]] S spin_at(const Disk& disk, const S& spin, At now) const;
@@ -141,7 +141,7 @@ class Motion {
   [[nodiscard]] bool one_species() const { return plain_species_ == 1; }
   [[nodiscard]] double largest_radius() const { return largest_radius_; }
   [[nodiscard]] const std::array<S, 2>& periods() const { return room_.periods(); }
-  /// How far along an axis a flight may go before it starts anew; infinite where it may go on.
+  /// How far along an axis a flight may go before it starts again; infinite where it may go on.
   [[nodiscard]] S farthest(std::size_t axis) const {
     return room_.periodic(axis) ? reach_[axis] : never<S>();
   }

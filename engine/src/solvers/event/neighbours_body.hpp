@@ -169,7 +169,7 @@ std::uint32_t Neighbours<P>::keep_near(const Disks& disks, Index i, std::uint32_
 template <class P>
 void Neighbours<P>::list(const Disks& disks, Index i) {
   const std::uint32_t found = keep_near(disks, i, gather(cell_[i]));
-  // Who is new and who is gone cannot be foreseen either.
+  // Which are new and which are gone cannot be foreseen either.
   const std::uint32_t had = lists_.copy(i, gone_);
   if (fresh_.size() < found_.size()) fresh_.resize(found_.size());
   for (std::uint32_t n = 0; n < kWords; ++n) {  // no neighbour of itself

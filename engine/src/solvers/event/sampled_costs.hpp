@@ -42,7 +42,7 @@ double seconds_of(const Work& work) {
   return std::max(0.0, seconds - clock);
 }
 
-/// Makes the compiler work out what nobody uses.
+/// Makes the compiler work out what is not used.
 template <class Value>
 void use(const Value& value) {
   asm volatile("" : : "r"(&value) : "memory");

@@ -40,7 +40,7 @@ class Clock<double> {
   static constexpr Time never() { return kNever; }
   static constexpr Time ever() { return kEver; }
   static constexpr Time longest_flight() { return kLongestFlight; }
-  /// Time is counted anew after so many ticks.
+  /// Time is counted again from 0 after so many ticks.
   static constexpr Time epoch() { return Time{1} << 60; }
 
   Clock() = default;

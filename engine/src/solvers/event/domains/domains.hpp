@@ -40,7 +40,7 @@ inline constexpr double kCollisionsOfOneDomain = 8;
 /// near were loaded, followed to the end of the window, and did the same there as at their owners.
 /// So the domain had the true flights of both up to T, and both in its lists: it had the ball do
 /// the true thing, against the assumption.  What shares an instant is not done by domains at all.
-/// Halos, windows and domains come in nowhere: they decide what it costs.
+/// Halos, windows and domains do not matter for the result: they decide what it costs.
 ///
 /// A window in which impacts share an instant and a ball is solved by one EventLoop of all balls,
 /// from the same flights.

@@ -38,7 +38,7 @@ namespace carom::event {
 /// at T follows from the flights, up to T, of itself and of the balls that it meets or touches
 /// then.  All of these have their true flights up to T.  One of another group would have been found
 /// by the look at the two paths.  So all are in the ball's own group, which did the same at T: a
-/// contradiction. Windows and groups come in nowhere: they decide what it costs.
+/// contradiction. Windows and groups do not matter for the result: they decide what it costs.
 ///
 /// A contact that lasts joins balls without an impact: those that touch at the start of a window
 /// are in one group or in none.  Fixed balls never change.
@@ -98,7 +98,7 @@ class ConflictGroups {
   /// `reset`; empty for other axes.
   [[nodiscard]] const Turns& turns() const { return book_.turns(); }
   [[nodiscard]] double given_ahead(At now) const;
-  /// Who rests on this ball, or carries it, moves again.
+  /// Balls that rest on this one, or carry it, move again.
   void wake_around(std::size_t ball, At now);
 
   /// Windows so far, how often groups were solved, and the largest group.

@@ -184,7 +184,8 @@ TEST(EventLoopAlone, agrees_to_the_last_bit_with_every_pair_looked_at_falling_fa
   expect_same_bits<Ballistic>(rules, 8, 6, 8);
 }
 
-// With a tick this fine, flights are carried on several times and time is counted anew many times.
+// With a tick this fine, flights are carried on several times and time is counted from 0 again many
+// times.
 TEST(EventLoopAlone, counting_time_from_a_later_tick_changes_no_bit) {
   Rules rules = rules_of(domain(12, 10, true, false));
   rules.scale = TickScale(0x1p-8);

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "contact/contact_graph.hpp"
+
+namespace carom::event {
+
+/// Gives groups of touching bodies the energy back that they had before they were stopped: by one
+/// factor for the velocities of all bodies of a group, seen from its centre of mass unless it
+/// touches something fixed.
+template <class S>
+class KeptEnergy {
+ public:
+  KeptEnergy(std::span<const Body<S>> bodies, const ContactGraph<S>& graph)
+      : bodies_(bodies), graph_(graph) {}
+
+  /// `start`: the velocities before.  Gives the energy of groups that nothing of theirs can move
+  /// with.
+  double give_back(const std::vector<Vec<S>>& start, std::vector<Vec<S>>& velocities) {
+    find_groups();
+    ExactSum<double> held;
+    for (std::uint32_t group = 0; group < bodies_.size(); ++group) {
+      if (groups_.look_up(group) != group) continue;
+      ExactSum<S> mass;
+      ExactSum<S> x;
+      ExactSum<S> y;
+      Members members;
+      groups_.each(group, [&](std::uint32_t k) {
+        if (bodies_[k].inverse_mass == 0) return;
+        members.push_back(k);
+        mass.add(1 / bodies_[k].inverse_mass);
+        x.add(velocities[k].x / bodies_[k].inverse_mass);
+        y.add(velocities[k].y / bodies_[k].inverse_mass);
+      });
+      if (members.empty()) continue;
+      const Vec<S> centre = held_[group] != 0 ? Vec<S>{S(0), S(0)}
+                                              : Vec<S>{S(x.rounded() / mass.rounded()),
+                                                       S(y.rounded() / mass.rounded())};
+      const S had = energy(members, start, centre);
+      const S has = energy(members, velocities, centre);
+      if (!(had > 0) || had == has) continue;
+      const S noise = std::numeric_limits<S>::epsilon() * had;
+      if (has > noise) {
+        const S factor = root(S(had / has));
+        for (const std::size_t k : members)
+          velocities[k] = centre + factor * (velocities[k] - centre);
+      } else if (!go_back(members, start, centre, velocities) && had - has > noise) {
+        held.add(static_cast<double>(S((had - has) / 2)));
+      }
+    }
+    return held.rounded();
+  }
+
+ private:
+  using Members = std::vector<std::size_t>;
+
+  [[nodiscard]] bool moves(int body) const { return graph_.inverse_mass(body) != 0; }
+
+  // Those that touch, over bodies that can move; which of them touch something fixed.
+  void find_groups() {
+    groups_.reset(bodies_.size());
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      const Contact<S>& c = graph_.contact(k);
+      if (!moves(c.a) || !moves(c.b)) continue;
+      groups_.merge(static_cast<std::uint32_t>(c.a), static_cast<std::uint32_t>(c.b));
+    }
+    held_.assign(bodies_.size(), 0);
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      const Contact<S>& c = graph_.contact(k);
+      if (moves(c.a) == moves(c.b)) continue;
+      held_[groups_.find(static_cast<std::uint32_t>(moves(c.a) ? c.a : c.b))] = 1;
+    }
+  }
+
+  // What can move nowhere goes back the way it came, as out of a wedge, if that is open.
+  bool go_back(const Members& members, const std::vector<Vec<S>>& start, const Vec<S>& centre,
+               std::vector<Vec<S>>& velocities) const {
+    const std::vector<Vec<S>> before = velocities;
+    for (const std::size_t k : members) velocities[k] = centre + (centre - start[k]);
+    std::vector<char> moved(bodies_.size(), 0);
+    for (const std::size_t k : members) moved[k] = 1;
+    const auto velocity = [&](int body) {
+      return body == kWall ? Vec<S>{S(0), S(0)} : velocities[static_cast<std::size_t>(body)];
+    };
+    const auto concerns = [&](int body) {
+      return body != kWall && moved[static_cast<std::size_t>(body)] != 0;
+    };
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      const Contact<S>& c = graph_.contact(k);
+      if (!concerns(c.a) && !concerns(c.b)) continue;
+      if (!(sharp_dot(c.r, velocity(c.b) - velocity(c.a)) < 0)) continue;
+      velocities = before;
+      return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] S energy(const Members& members, const std::vector<Vec<S>>& velocities,
+                         const Vec<S>& centre) const {
+    ExactSum<S> sum;
+    for (const std::size_t k : members) {
+      const Vec<S> v = velocities[k] - centre;
+      sum.add(v.x * v.x / bodies_[k].inverse_mass);
+      sum.add(v.y * v.y / bodies_[k].inverse_mass);
+    }
+    return sum.rounded();
+  }
+
+  std::span<const Body<S>> bodies_;
+  const ContactGraph<S>& graph_;
+  DisjointSets groups_;
+  std::vector<char> held_;  ///< by root
+};
+
+}  // namespace carom::event

@@ -1,0 +1,230 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "contact/joint_impact.hpp"
+#include "contact/rest_rules.hpp"
+#include "solvers/event/loop_island_search_body.hpp"
+
+namespace carom::event {
+
+/// The balls that touch at one instant, and all their contacts.
+template <class P>
+struct EventLoop<P>::SimultaneousImpact {
+  std::vector<Index> members;  ///< balls and fixed balls; the first is the one it began with
+  std::vector<Vec<S>> places;
+  std::vector<Body<S>> bodies;
+  std::vector<S> spins;  ///< only where balls have friction
+  std::vector<Contact<S>> contacts;
+  struct Stop {
+    std::size_t member;
+    Index wall;
+    bool meets;  ///< it is at the wall: not only so near that it is taken as jammed
+  };
+  std::vector<Stop> stops;  ///< the contacts with walls
+
+  [[nodiscard]] std::size_t find(Index i) const {
+    return static_cast<std::size_t>(std::find(members.begin(), members.end(), i) - members.begin());
+  }
+};
+
+template <class P>
+bool EventLoop<P>::tied(Index i, Index partner, At now) {
+  if (ties_.empty()) return false;
+  ties_.erase(ties_.begin(), ties_.lower_bound({now, 0}));
+  if (ties_.count({now, i}) == 0 && ties_.count({now, partner}) == 0) return false;
+  // A tie may be of what was known of a ball before: whether it was noted depends on what was
+  // looked at when.
+  const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
+  return meets_another(i, partner, now) || (ball && meets_another(partner, i, now));
+}
+
+// Whether the ball meets something else at this instant, too.
+template <class P>
+bool EventLoop<P>::meets_another(Index i, Index partner, At now) const {
+  const Disk& disk = disks_[i];
+  for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
+    if (wall == partner || !motion_.rules().domain.solid((wall - kWalls) / 2)) continue;
+    if (motion_.wall_meets(disk, wall) <= now) return true;
+  }
+  if (!motion_.rules().collisions) return false;
+  bool meets = false;
+  neighbours_.lists().each(i, [&](Index j) {
+    if (meets || j == partner) return;
+    const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
+    meets = motion_.pair_meets(disk, disks_[j], from_contact, now) <= now;
+  });
+  return meets;
+}
+
+template <class P>
+bool EventLoop<P>::touch(Index i, Index j, At now, const Vec<S>& r) const {
+  const Disk& a = disks_[i];
+  const Disk& b = disks_[j];
+  const S reach = motion_.species(a).radius + motion_.species(b).radius;
+  if (!(squared_gap(r, reach) > 0) || (jams_ > 0 && near(r, reach, S(jam_gap())))) return true;
+  const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
+  if (motion_.clusters() &&
+      near(r, S(motion_.species(a).radius + motion_.species(b).radius), S(kTouching / 32)) &&
+      motion_.collapses(a, b, now)) {
+    return true;
+  }
+  return motion_.pair_meets(a, b, from_contact, now) == now;
+}
+
+template <class P>
+void EventLoop<P>::add_member(SimultaneousImpact& instant, Index i, At now) const {
+  const Disk& disk = disks_[i];
+  instant.members.push_back(i);
+  instant.places.push_back(motion_.wrapped(motion_.place(disk, now)));
+  instant.bodies.push_back({motion_.velocity(disk, now), motion_.species(disk).inverse_mass});
+  if (!spins_.empty()) instant.spins.push_back(motion_.spin_at(disk, spins_[i], now));
+}
+
+template <class P>
+bool EventLoop<P>::is_late(Index i, At now) {
+  if (motion_.fixed(disks_[i]) || is_past(i)) return false;
+  const Disk& me = disks_[i];
+  for (const Past& past : past_) {
+    const Disk& other = past.disk;
+    const bool meets =
+        motion_.pair_meets(me, other, false, now) <= now && motion_.rules().collisions;
+    if (!meets) continue;
+    forget(i);
+    waiting_.push_back({i, past.ball});
+    return true;
+  }
+  return false;
+}
+
+inline bool has_pair(const std::vector<std::pair<Index, Index>>& pairs, Index i, Index j) {
+  return std::any_of(pairs.begin(), pairs.end(), [&](const std::pair<Index, Index>& pair) {
+    return (pair.first == i && pair.second == j) || (pair.first == j && pair.second == i);
+  });
+}
+
+template <class P>
+bool EventLoop<P>::is_linked(Index i, Index j) const {
+  return has_pair(linked_, i, j);
+}
+
+template <class P>
+bool EventLoop<P>::is_resolved(Index i, Index j) const {
+  return has_pair(linked_, i, j) || has_pair(resolved_, i, j);
+}
+
+template <class P>
+void EventLoop<P>::add_contact(SimultaneousImpact& instant, std::size_t member, Index j, At now,
+                               bool meets) {
+  const Index i = instant.members[member];
+  const std::size_t other = instant.find(j);
+  const bool known = other < instant.members.size();
+  const Vec<S> there =
+      known ? instant.places[other] : motion_.wrapped(motion_.place(disks_[j], now));
+  const Vec<S> r = motion_.way(instant.places[member], there);
+  if (!meets && !touch(i, j, now, r)) return;
+  if (!known) add_member(instant, j, now);
+  // What touches an island is resolved with it.
+  if (motion_.hops() && (motion_.in_island(disks_[i]) || motion_.in_island(disks_[j]))) return;
+  // Each pair once: with the later of its balls, or the one that is not fixed.
+  if (other > member && !motion_.fixed(disks_[j])) return;
+  instant.contacts.push_back({static_cast<int>(member), static_cast<int>(other), r,
+                              S(gives_up() ? 0 : motion_.rules().restitution)});
+}
+
+template <class P>
+void EventLoop<P>::add_contacts(SimultaneousImpact& instant, std::size_t member, At now) {
+  const Index i = instant.members[member];
+  const Disk& disk = disks_[i];
+  const auto& rules = motion_.rules();
+  if (motion_.fixed(disk)) return;
+  const bool in_island = motion_.hops() && motion_.in_island(disk);
+  for (Index wall = kWalls; wall < kWalls + 4 && !in_island; ++wall) {
+    if (!rules.domain.solid((wall - kWalls) / 2)) continue;
+    const S gap = motion_.wall(disk, instant.places[member], wall).gap;
+    const bool near = jams_ > 0 && !(gap > 2 * motion_.species(disk).radius * jam_gap());
+    const bool meets = !(gap > 0) || motion_.wall_meets(disk, wall) == now || is_linked(i, wall);
+    if (!meets && !near) continue;
+    const S side = wall % 2 == kWalls % 2 ? -1 : 1;
+    const Vec<S> towards = wall - kWalls < 2 ? Vec<S>{side, S(0)} : Vec<S>{S(0), side};
+    instant.stops.push_back({member, wall, meets});
+    instant.contacts.push_back(
+        {static_cast<int>(member), kWall, towards, S(gives_up() ? 0 : rules.wall_restitution)});
+  }
+  if (!rules.collisions) return;
+  std::vector<Index> linked;
+  for (const auto& [a, b] : linked_) {
+    if (a != i && b != i) continue;
+    const Index j = a == i ? b : a;
+    if (j < kFirstMark) linked.push_back(j);
+  }
+  neighbours_.lists().each(i, [&](Index j) {
+    if (in_island && (motion_.fixed(disks_[j]) || motion_.in_island(disks_[j]))) return;
+    const auto known = std::find(linked.begin(), linked.end(), j);
+    const bool meets = known != linked.end();
+    if (meets) linked.erase(known);
+    add_contact(instant, member, j, now, meets);
+  });
+  for (const Index j : linked) add_contact(instant, member, j, now, true);
+}
+
+// Whether one of an island touches, two cling to each other, or they are too many.
+template <class P>
+bool EventLoop<P>::is_of_island(const SimultaneousImpact& instant, At now) const {
+  // Elastic ones part again.
+  if (motion_.rules().restitution < 1 && instant.contacts.size() > kManyContacts) return true;
+  for (const Index m : instant.members) {
+    if (motion_.in_island(disks_[m])) return true;
+  }
+  return std::any_of(instant.contacts.begin(), instant.contacts.end(),
+                     [&](const Contact<S>& contact) {
+                       if (contact.b == kWall) return false;
+                       const auto a = static_cast<std::size_t>(contact.a);
+                       const auto b = static_cast<std::size_t>(contact.b);
+                       const Vec<S> v = instant.bodies[b].velocity - instant.bodies[a].velocity;
+                       return !(sharp_dot(contact.r, v) > 0) &&
+                              motion_.sticks(disks_[instant.members[a]], disks_[instant.members[b]],
+                                             contact.r, now);
+                     });
+}
+
+template <class P>
+auto EventLoop<P>::touching(std::vector<Index>& seeds, At now) -> SimultaneousImpact {
+  SimultaneousImpact instant;
+  add_member(instant, seeds.front(), now);
+  for (std::size_t k = 0; k < instant.members.size(); ++k) add_contacts(instant, k, now);
+  const auto found = [&](Index seed) { return instant.find(seed) < instant.members.size(); };
+  seeds.erase(std::remove_if(seeds.begin(), seeds.end(), found), seeds.end());
+  return instant;
+}
+
+// The groups of balls that touch, from these on. What has been resolved at this instant, and now
+// shares a ball with more, is taken back: its balls are looked for, too.
+template <class P>
+auto EventLoop<P>::groups_of(std::vector<Index>& looked_for, At now)
+    -> std::vector<SimultaneousImpact> {
+  for (;;) {
+    std::vector<Index> seeds = looked_for;
+    std::vector<SimultaneousImpact> groups;
+    std::vector<Index> past;
+    while (!seeds.empty()) {
+      groups.push_back(touching(seeds, now));
+      const std::vector<Index>& members = groups.back().members;
+      std::copy_if(members.begin(), members.end(), std::back_inserter(past),
+                   [this](Index m) { return is_past(m); });
+    }
+    if (past.empty()) return groups;
+    take_back(past);
+    for (const Index k : past) {
+      if (std::find(looked_for.begin(), looked_for.end(), k) == looked_for.end()) {
+        looked_for.push_back(k);
+      }
+    }
+  }
+}
+
+}  // namespace carom::event
