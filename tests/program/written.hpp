@@ -15,7 +15,7 @@ namespace carom::test {
 using Json = nlohmann::json;
 using Row = std::map<std::string, std::string>;
 
-/// A lossy, rubbing gas; a ball comes and the first one goes.
+/// A gas that loses energy, with friction; one ball is added and the first is removed.
 inline std::string lossy(const std::string& more = "") {
   return R"({"name": "box", "box": {"width": 10, "height": 8},
     "effects": {"collisions": {"restitution": 0.9}, "walls": {"restitution": 0.8},

@@ -77,7 +77,7 @@ class KeptEnergy {
     }
   }
 
-  // What can move nowhere goes back the way it came, as out of a wedge, if that is open.
+  // A group that no other way is open to goes back the way it came, as out of a wedge, if it can.
   bool go_back(const Members& members, const std::vector<Vec<S>>& start, const Vec<S>& centre,
                std::vector<Vec<S>>& velocities) const {
     const std::vector<Vec<S>> before = velocities;

@@ -271,6 +271,8 @@ class EventLoop {
     ties_.insert({at, i});
     if (other != i) ties_.insert({at, other});
   }
+  /// When two balls meet, if that is by `now`.
+  [[nodiscard]] Time pair_meets(Index i, Index j, At now) const;
   [[nodiscard]] bool tied(Index i, Index partner, At now);
   [[nodiscard]] bool meets_another(Index i, Index partner, At now) const;
   /// What meets at the present instant, as far as it is known: all of it at once, so that no order

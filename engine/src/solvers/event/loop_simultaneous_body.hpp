@@ -135,10 +135,8 @@ template <class P>
 void EventLoop<P>::wait_for_all_that_are_met(At now) {
   const std::size_t known = waiting_.size();
   const auto add = [&](Index i, Index j) {
-    const bool waits = std::any_of(waiting_.begin(), waiting_.end(), [&](const Pair& pair) {
-      return (pair.first == i && pair.second == j) || (pair.first == j && pair.second == i);
-    });
-    if (!waits && !is_resolved(i, j) && comes_nearer(i, j, now)) waiting_.push_back({i, j});
+    if (has_pair(waiting_, i, j) || is_resolved(i, j) || !comes_nearer(i, j, now)) return;
+    waiting_.push_back({i, j});
   };
   for (std::size_t k = 0; k < known; ++k) {
     for (const Index i : {waiting_[k].first, waiting_[k].second}) {
@@ -150,8 +148,7 @@ void EventLoop<P>::wait_for_all_that_are_met(At now) {
       }
       if (!motion_.rules().collisions) continue;
       neighbours_.lists().each(i, [&](Index j) {
-        const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
-        if (motion_.pair_meets(disk, disks_[j], from_contact, now) <= now) add(i, j);
+        if (pair_meets(i, j, now) <= now) add(i, j);
       });
     }
   }

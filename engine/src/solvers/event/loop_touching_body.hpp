@@ -43,6 +43,12 @@ bool EventLoop<P>::tied(Index i, Index partner, At now) {
   return meets_another(i, partner, now) || (ball && meets_another(partner, i, now));
 }
 
+template <class P>
+auto EventLoop<P>::pair_meets(Index i, Index j, At now) const -> Time {
+  const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
+  return motion_.pair_meets(disks_[i], disks_[j], from_contact, now);
+}
+
 // Whether the ball meets something else at this instant, too.
 template <class P>
 bool EventLoop<P>::meets_another(Index i, Index partner, At now) const {
@@ -55,8 +61,7 @@ bool EventLoop<P>::meets_another(Index i, Index partner, At now) const {
   bool meets = false;
   neighbours_.lists().each(i, [&](Index j) {
     if (meets || j == partner) return;
-    const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
-    meets = motion_.pair_meets(disk, disks_[j], from_contact, now) <= now;
+    meets = pair_meets(i, j, now) <= now;
   });
   return meets;
 }
@@ -67,13 +72,12 @@ bool EventLoop<P>::touch(Index i, Index j, At now, const Vec<S>& r) const {
   const Disk& b = disks_[j];
   const S reach = motion_.species(a).radius + motion_.species(b).radius;
   if (!(squared_gap(r, reach) > 0) || (jams_ > 0 && near(r, reach, S(jam_gap())))) return true;
-  const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
   if (motion_.clusters() &&
       near(r, S(motion_.species(a).radius + motion_.species(b).radius), S(kTouching / 32)) &&
       motion_.collapses(a, b, now)) {
     return true;
   }
-  return motion_.pair_meets(a, b, from_contact, now) == now;
+  return pair_meets(i, j, now) == now;
 }
 
 template <class P>
