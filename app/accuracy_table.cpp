@@ -217,8 +217,8 @@ std::string to_table(const AccuracyStudy& study) {
   }
   text += "\n  * on the Pareto front: no other run is both cheaper and better\n" +
           resolution_text(study);
-  if (!study.ladder_end.empty()) {
-    text += "  the sequence of steps ends early: " + study.ladder_end + '\n';
+  if (!study.sequence_end.empty()) {
+    text += "  the sequence of steps ends early: " + study.sequence_end + '\n';
   }
   if (const std::optional<double> share = study.processor_share()) {
     text += fmt::format(

@@ -48,7 +48,7 @@ TEST(RestStudy, ADroppedBallRestsWhenTheorySaysAndStands) {
   ASSERT_TRUE(event.rest->rest_time);
   // t = sqrt(2 h / g) (1 + e) / (1 - e), seen at the next of 240 looks.
   const double end = std::sqrt(2 / kGravity) * 9;
-  EXPECT_GE(event.rest->rest_time->median, end - 1e-3) << "its last hops are below what is seen";
+  EXPECT_GE(event.rest->rest_time->median, end - 1e-3) << "its last bounces are below what is seen";
   EXPECT_LE(event.rest->rest_time->median, end + 8.0 / 240);
   EXPECT_EQ(event.rest->kinetic_energy.median, 0);
   EXPECT_EQ(event.rest->creep.median, 0);

@@ -32,7 +32,7 @@ TEST(Study, EveryColumnOfTwoDisksThatMeetHeadOnIsRight) {
   EXPECT_FALSE(study.reference.holds_until);
 
   const auto overlap = rows_of(study, Method::overlap);
-  ASSERT_EQ(overlap.size(), static_cast<std::size_t>(kSteps)) << study.ladder_end;
+  ASSERT_EQ(overlap.size(), static_cast<std::size_t>(kSteps)) << study.sequence_end;
   double step = kLongestStep;
   for (const AccuracyRow& row : overlap) {
     SCOPED_TRACE(step);
@@ -204,7 +204,7 @@ TEST(Study, ARunThatTakesMoreThanItsShareEndsTheLadderAndSaysSo) {
   request.share = 1e-4;
   const AccuracyStudy study = study_accuracy(HeadOn::scene(), request);
   EXPECT_LT(rows_of(study, Method::overlap).size(), static_cast<std::size_t>(kSteps));
-  EXPECT_NE(study.ladder_end.find("time limit"), std::string::npos) << study.ladder_end;
+  EXPECT_NE(study.sequence_end.find("time limit"), std::string::npos) << study.sequence_end;
 }
 
 TEST(Study, EveryRunIsCountedAndToldAndAStopKeepsWhatIsDone) {

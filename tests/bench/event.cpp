@@ -94,7 +94,7 @@ void measure(std::size_t n, double packing, std::size_t workers, double time_lim
   carom::Box box;
   box.width = box.height = gas.side;
   box.periodic = {true, true};
-  const TickScale scale(gas.side / 6);
+  const FixedTimeClock scale(gas.side / 6);
   Domains<Ballistic> domains({carom::Domain(box, false), scale, {0, 0}, true, 1, 1, {Species{}}});
   std::vector<Disk> disks;
   for (const PlainGas::Ball& ball : gas.balls) {
@@ -113,7 +113,7 @@ void measure(std::size_t n, double packing, std::size_t workers, double time_lim
                       [&domains, k] { return domains.finish(k); }});
   }
   carom::Crew crew(workers, std::move(phases));
-  const auto go_to = [&](Ticks until) {
+  const auto go_to = [&](FixedTime until) {
     const std::size_t first = domains.aim(until);
     if (first != carom::Phase::kFrameDone) crew.do_frame(first);
   };

@@ -94,7 +94,7 @@ Scene in_step() {
   return scene;
 }
 
-// A blow runs along touching balls from one end of the box to the other, through all domains.
+// An impact runs along touching balls from one end of the box to the other, through all domains.
 Scene chain() {
   Scene scene = in_step();
   scene.balls.clear();

@@ -40,7 +40,7 @@ std::string hash(const Scene& scene, const Told& told) {
   }
   EXPECT_GT(core.tally().ball_ball, 100U) << "else it shows nothing";
   std::vector<Ball> balls = scene.balls;
-  core.look(balls);
+  core.read_balls(balls);
   return state_hash(Balls(balls));
 }
 

@@ -42,7 +42,7 @@ Measurements after(const Scene& scene, double time) {
   return hard::run(scene, time).measured;
 }
 
-// Seen to fail: without what the last hops of a ball that is laid to rest have left, and without
+// Seen to fail: without what the last bounces of a ball that is laid to rest have left, and without
 // the impacts at walls.
 TEST(EnergyBook, ABallThatBouncesToRestHasLostAllOfItsDrop) {
   for (const Method method : kMethods) {

@@ -74,7 +74,7 @@ TEST(EventContact, an_elastic_ball_lies_on_a_fixed_one) {
   expect_still(box(1, {0, -kG}), {fixed_disk(5, 3), ball(5, 4)}, 10);
 }
 
-// Walls that lose all and an elastic fixed ball: hops between the two have no end, and take all.
+// Walls that lose all and an elastic fixed ball: bounces between the two have no end, and take all.
 TEST(EventContact, hops_between_a_wall_and_a_fixed_ball_end) {
   Scene scene = box(0, {0, -16});
   scene.effects.collisions = Collisions{1};

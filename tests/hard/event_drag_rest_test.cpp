@@ -42,7 +42,7 @@ Simulation after(const Scene& scene, double time) {
   return run;
 }
 
-// The speed of a fall fades by drag, to exp(-50): without rest there are e^50 hops.
+// The speed of a fall fades by drag, to exp(-50): without rest there are e^50 bounces.
 TEST(EventDragRest, an_elastic_hop_that_drag_makes_ever_shorter_ends_on_the_floor) {
   Scene scene = elastic({0, -9.81}, 0.5);
   scene.balls = {ball(5, 5)};
@@ -99,10 +99,10 @@ TEST(EventDragRest, energy_and_counts_go_on_when_balls_come_to_rest) {
   scene.balls = {ball(2, 1.5)};
   Simulation run(scene);
   run.advance_to(5);
-  const std::uint64_t hops = run.measure().ball_wall;
-  EXPECT_GT(hops, 2U);
+  const std::uint64_t bounces = run.measure().ball_wall;
+  EXPECT_GT(bounces, 2U);
   run.advance_to(60);
-  EXPECT_GT(run.measure().ball_wall, hops);
+  EXPECT_GT(run.measure().ball_wall, bounces);
   ASSERT_EQ(run.state()[0].position.y(), 0.5);
   const double fading = -std::expm1(-k * 60);
   const double v = g / k * fading;

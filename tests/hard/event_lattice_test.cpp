@@ -116,7 +116,7 @@ TEST(EventContact, what_jams_is_counted) {
   EXPECT_EQ(test::run_contact(scene, {test::contact_ball(1, 0.5, 1, 0)}, 1).measured.jammed, 0U);
 }
 
-// Ball 1 passes a blow on and has the velocity after it that it had before: its next impact is
+// Ball 1 passes an impact on and has the velocity after it that it had before: its next impact is
 // looked for all the same.
 TEST(EventContact, a_ball_that_a_blow_leaves_as_it_was_still_meets_the_wall) {
   const Scene scene = test::contact_box(5.25, 1.25, 1, {2, -0.5});

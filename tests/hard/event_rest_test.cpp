@@ -49,8 +49,8 @@ double speed(const Ball& b) {
   return b.velocity.norm();
 }
 
-// Dropped from h, hop n reaches e^(2n) h, at t0 (1 + 2 (e + e^2 + ... + e^(n-1)) + e^n); it rests
-// at t0 (1 + e) / (1 - e), with t0 = sqrt(2 h / g).
+// Dropped from h, bounce n reaches e^(2n) h, at t0 (1 + 2 (e + e^2 + ... + e^(n-1)) + e^n); it
+// rests at t0 (1 + e) / (1 - e), with t0 = sqrt(2 h / g).
 TEST(EventRest, a_dropped_ball_hops_as_high_as_it_should_and_rests_when_it_should) {
   for (const double e : {0.3, 0.8, 0.95}) {
     Course run(contact_box(10, 10, e), {ball(5, 1.5)});
@@ -62,7 +62,7 @@ TEST(EventRest, a_dropped_ball_hops_as_high_as_it_should_and_rests_when_it_shoul
       half = fall * std::pow(e, n);
       apex += half;
       const double height = run.at(apex)[0].position.y() - 0.5;
-      EXPECT_NEAR(height, std::pow(e, 2 * n), 1e-12) << e << " hop " << n;
+      EXPECT_NEAR(height, std::pow(e, 2 * n), 1e-12) << e << " bounce " << n;
     }
     const double rest = fall * (1 + e) / (1 - e);
     run.at(rest * (1 - 1e-9));

@@ -31,7 +31,7 @@ Setting draw(unsigned seed, bool drags) {
   Setting setting;
   Rules& rules = setting.rules;
   rules.domain = Domain(box, true);
-  rules.scale = TickScale(0.25);
+  rules.scale = FixedTimeClock(0.25);
   rules.all_species.clear();
   rules.falls = draw.one_in(2);
   if (rules.falls) rules.gravity = {draw.one_in(2) ? 0 : draw.number(-1, 1), -9.81};
@@ -94,7 +94,7 @@ bool compare(unsigned seed) {
   const std::vector<Disk>& disks = setting.disks;
   EventLoop<P> loop(setting.rules);
   loop.reset(disks, 0);
-  const Ticks end = setting.rules.scale.ticks(setting.time);
+  const FixedTime end = setting.rules.scale.ticks(setting.time);
   try {
     loop.advance_to(end);
   } catch (const std::runtime_error&) {
@@ -158,7 +158,7 @@ TEST(ConflictGroups, AreSolvedByThreads) {
     constexpr std::size_t kWorkers = 4;
     groups.set_workers(kWorkers);
     groups.reset(setting.disks, 0, {}, {});
-    const Ticks end = setting.rules.scale.ticks(0.3);
+    const FixedTime end = setting.rules.scale.ticks(0.3);
     std::atomic<bool> endless = false;
     std::size_t phase = groups.aim(end);
     while (phase != Phase::kFrameDone) {

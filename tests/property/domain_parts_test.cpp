@@ -30,10 +30,10 @@ TEST(BucketQueue, GivesEventsInTheOrderOfTime) {
   for (unsigned seed = 1; seed <= 300; ++seed) {
     std::mt19937 random(seed);
     const std::uint32_t balls = 1 + below(random, 60);
-    const Ticks window = 1 + below(random, 1000);
+    const FixedTime window = 1 + below(random, 1000);
     BucketQueue queue;
-    std::map<Slot, Ticks> expected;
-    Ticks now = 0;
+    std::map<Slot, FixedTime> expected;
+    FixedTime now = 0;
     queue.reset(balls, window, seed % 3 == 0 ? 4 : 1);
     for (int step = 0; step < 300; ++step) {
       const auto ball = static_cast<Slot>(below(random, balls));
@@ -43,7 +43,7 @@ TEST(BucketQueue, GivesEventsInTheOrderOfTime) {
           expected.erase(ball);
           break;
         case 1: {
-          const Ticks until = now + below(random, 1 + static_cast<std::uint32_t>(window - now));
+          const FixedTime until = now + below(random, 1 + static_cast<std::uint32_t>(window - now));
           const auto first =
               std::min_element(expected.begin(), expected.end(),
                                [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -68,7 +68,7 @@ TEST(BucketQueue, GivesEventsInTheOrderOfTime) {
       ASSERT_EQ(queue.holds(ball), expected.count(ball) > 0) << seed;
       // Once the first has been asked for, nothing comes before it.
       if (queue.first(window) == kNoSlot) continue;
-      const Ticks time = now + below(random, 1 + static_cast<std::uint32_t>(window - now));
+      const FixedTime time = now + below(random, 1 + static_cast<std::uint32_t>(window - now));
       const bool later = std::all_of(expected.begin(), expected.end(), [&](const auto& event) {
         return event.first == ball || event.second > time;
       });

@@ -39,7 +39,7 @@ Setting draw(unsigned seed, bool drags) {
   Setting setting;
   Rules& rules = setting.rules;
   rules.domain = carom::Domain(box, !draw.one_in(5));
-  rules.scale = TickScale(0.25);
+  rules.scale = FixedTimeClock(0.25);
   rules.falls = !drags && draw.one_in(3);
   if (rules.falls) {
     rules.gravity = {box.periodic[0] || draw.one_in(2) ? 0 : draw.number(-1, 1),
@@ -98,7 +98,7 @@ bool depends_on_order(const Setting& setting, const EventLoop<P>& expected) {
   EventLoop<P> loop(setting.rules);
   loop.reset({setting.disks.rbegin(), setting.disks.rend()}, 0, {},
              {setting.spins.rbegin(), setting.spins.rend()});
-  const Ticks end = setting.rules.scale.ticks(setting.time);
+  const FixedTime end = setting.rules.scale.ticks(setting.time);
   for (int k = 1; k <= 8; ++k) {
     loop.advance_to(end / 8 * k);
     const std::vector<double> spins = loop.spins();
@@ -124,7 +124,7 @@ void compare(unsigned seed, Seen& seen) {
   const std::vector<Disk>& disks = setting.disks;
   EventLoop<P> loop(setting.rules);
   loop.reset(disks, 0, {}, setting.spins);
-  const Ticks end = setting.rules.scale.ticks(setting.time);
+  const FixedTime end = setting.rules.scale.ticks(setting.time);
   loop.advance_to(end);
   if (depends_on_order<P>(setting, loop)) return;
   ++seen.scenes;
@@ -193,7 +193,7 @@ TEST(Domains, AreSolvedByThreads) {
     constexpr std::size_t kWorkers = 4;
     domains.set_workers(kWorkers);
     domains.reset(setting.disks, 0, setting.spins);
-    const Ticks end = setting.rules.scale.ticks(0.2);
+    const FixedTime end = setting.rules.scale.ticks(0.2);
     std::size_t phase = domains.aim(end);
     while (phase != Phase::kFrameDone) {
       std::vector<std::thread> workers;

@@ -80,23 +80,23 @@ RC_GTEST_PROP(EventQueue, WordsAreFoundAmongTheirs, ()) {
 RC_GTEST_PROP(EventQueue, TheAgendaGivesTheEarliestThatIsStillWanted, ()) {
   using Queue = EventQueue<Clock<double>>;
   Queue queue;
-  const Ticks span = *rc::gen::inRange<Ticks>(1, 5000);
-  queue.reset(0, *rc::gen::inRange<Ticks>(1, 2000), 4U << below(4));
-  std::map<Index, Ticks> due;
+  const FixedTime span = *rc::gen::inRange<FixedTime>(1, 5000);
+  queue.reset(0, *rc::gen::inRange<FixedTime>(1, 2000), 4U << below(4));
+  std::map<Index, FixedTime> due;
   const auto wanted = [&](const Queue::Entry& entry) {
     const auto at = due.find(entry.ball);
     return at != due.end() && at->second == entry.time;
   };
   const auto unprepared = [](auto, auto, auto) {};
-  Ticks now = 0;
+  FixedTime now = 0;
   const std::uint32_t balls = 1 + below(400);
   const auto add = [&](Index ball) {
-    due[ball] = now + *rc::gen::inRange<Ticks>(0, span);
+    due[ball] = now + *rc::gen::inRange<FixedTime>(0, span);
     queue.add(due[ball], ball);
   };
   for (Index ball = 0; ball < balls; ++ball) add(ball);
   for (int step = 0; step < 300 && !due.empty(); ++step) {
-    const Ticks earliest =
+    const FixedTime earliest =
         std::min_element(due.begin(), due.end(), [](const auto& a, const auto& b) {
           return a.second < b.second;
         })->second;

@@ -12,7 +12,7 @@ namespace carom::event {
 
 /// What one event loop and a solver of windows are given alike.
 struct Setting {
-  Rules rules{carom::Domain(Box{}, true), TickScale(1)};
+  Rules rules{carom::Domain(Box{}, true), FixedTimeClock(1)};
   std::vector<Disk> disks;
   std::vector<double> spins;  ///< none, or one a disk
   double time = 1;
@@ -34,7 +34,7 @@ class Draw {
 
 /// Lets a solver of windows go on to a time; one thread does the work of all workers.
 template <class Windows>
-void advance(Windows& solver, Ticks until, std::size_t workers) {
+void advance(Windows& solver, FixedTime until, std::size_t workers) {
   std::size_t phase = solver.aim(until);
   while (phase != Phase::kFrameDone) {
     for (std::size_t k = 0; k < workers; ++k) solver.work(phase, {k, workers});

@@ -47,18 +47,18 @@ TEST(EventRest, ABallDroppedOnAFloorRestsAtTheTextbookTime) {
   for (const double e : {0.1, 0.5, 0.8, 0.95}) {
     double t = wall_time(1.0, 0.0, -g);
     double v = wall_impact(wall_arrival_velocity(1.0, 0.0, -g), e);
-    int hops = 0;
+    int bounces = 0;
     while (!bounces_out(v, g, e, resolution_at(t))) {
       t += wall_time(0.0, v, -g);
       v = wall_impact(wall_arrival_velocity(0.0, v, -g), e);
-      ASSERT_LT(++hops, 1000);
+      ASSERT_LT(++bounces, 1000);
     }
     const double truth = std::sqrt(2 / g) * (1 + e) / (1 - e);
     EXPECT_NEAR(t, truth, 1e-13 * truth) << e;
     if (e == 0.8) {
       EXPECT_NEAR(t, 4.06371, 5e-6);
     }
-    EXPECT_LE(hops, 10 + 37 / -std::log(e));
+    EXPECT_LE(bounces, 10 + 37 / -std::log(e));
   }
 }
 
@@ -68,12 +68,12 @@ TEST(EventRest, ABallDroppedOnTheTopOfAFixedBallRestsThereToo) {
   const V top{0, 1};
   auto t = fixed_disk_time<double>({0, 2}, {0, 0}, {0, -g}, 1);
   V v = pair_impact<double>(top, {0, 0}, {0, -g * t}, 0, 1, e).b;
-  int hops = 0;
+  int bounces = 0;
   while (!bounces_out(v.y, g, e, resolution_at(t))) {
-    const auto hop = fixed_disk_time<double>(top, v, {0, -g}, 1, true);
-    t += hop;
-    v = pair_impact<double>(top, {0, 0}, {0, v.y - g * hop}, 0, 1, e).b;
-    ASSERT_LT(++hops, 100);
+    const auto bounce = fixed_disk_time<double>(top, v, {0, -g}, 1, true);
+    t += bounce;
+    v = pair_impact<double>(top, {0, 0}, {0, v.y - g * bounce}, 0, 1, e).b;
+    ASSERT_LT(++bounces, 100);
   }
   EXPECT_NEAR(t, std::sqrt(2 / g) * (1 + e) / (1 - e), 1e-12);
 }
@@ -88,9 +88,9 @@ TEST(EventRest, AHopOffAnElasticWallIsNoneWhereItIsAsShortAsAContact) {
   const double g = 9.81;
   const double s = 0.5;
   const double shortest = 0x1p-12 * std::sqrt(s / g);
-  EXPECT_TRUE(barely_hops(g * shortest / 2 * 0.99, g, s));
-  EXPECT_FALSE(barely_hops(g * shortest / 2 * 1.01, g, s));
-  EXPECT_FALSE(barely_hops(0.0, 0.0, s));  // nothing presses
+  EXPECT_TRUE(barely_bounces(g * shortest / 2 * 0.99, g, s));
+  EXPECT_FALSE(barely_bounces(g * shortest / 2 * 1.01, g, s));
+  EXPECT_FALSE(barely_bounces(0.0, 0.0, s));  // nothing presses
 }
 
 TEST(EventIsland, AFloorCarriesAStackAndEachBallWhatIsAboveIt) {

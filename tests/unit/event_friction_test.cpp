@@ -19,7 +19,7 @@ Rules table(double width, double height, double friction) {
   box.width = width;
   box.height = height;
   box.origin = Box::Origin::center;
-  Rules rules{Domain(box, true), TickScale(0.5)};
+  Rules rules{Domain(box, true), FixedTimeClock(0.5)};
   rules.friction = friction;
   rules.wall_friction = friction;
   rules.spins = true;

@@ -22,7 +22,7 @@ class AllPairs {
 
   Counts counts;
 
-  void advance_to(Ticks until) {
+  void advance_to(FixedTime until) {
     while (true) {
       Meeting<P> best;
       std::size_t who = 0;
@@ -35,7 +35,7 @@ class AllPairs {
         for (std::size_t j = 0; j < disks_.size(); ++j) {
           if (j == i || (j > i && !motion_.fixed(disks_[j]))) continue;
           const auto k = static_cast<Index>(j);
-          offer({motion_.pair_meets(disks_[i], disks_[j], left_[i] == k), k}, i);
+          offer({motion_.pair_event(disks_[i], disks_[j], left_[i] == k), k}, i);
         }
       }
       if (best.time > until) return;
@@ -55,7 +55,7 @@ class AllPairs {
     }
   }
 
-  void rebase(Ticks by) {
+  void rebase(FixedTime by) {
     for (Disk& disk : disks_) disk.start -= by;
   }
 
@@ -104,7 +104,7 @@ std::vector<Disk> lattice(const Rules& rules, std::size_t columns, std::size_t r
 template <class P = Ballistic>
 void expect_same_bits(const Rules& rules, std::size_t columns, std::size_t rows, double seconds) {
   const auto start = lattice(rules, columns, rows);
-  const Ticks end = rules.scale.ticks(seconds);
+  const FixedTime end = rules.scale.ticks(seconds);
   AllPairs<P> slow(rules, start);
   slow.advance_to(end);
   EventLoop<P> loop(rules);
@@ -126,7 +126,7 @@ void expect_same_bits(const Rules& rules, std::size_t columns, std::size_t rows,
 }
 
 Rules rules_of(const Domain& d) {
-  return {d, TickScale((d.upper[0] - d.lower[0]) / 6), {0, 0}, true, 1, 1, {Species{}}};
+  return {d, FixedTimeClock((d.upper[0] - d.lower[0]) / 6), {0, 0}, true, 1, 1, {Species{}}};
 }
 
 TEST(EventLoopAlone, agrees_to_the_last_bit_with_every_pair_looked_at_between_walls) {
@@ -188,12 +188,12 @@ TEST(EventLoopAlone, agrees_to_the_last_bit_with_every_pair_looked_at_falling_fa
 // times.
 TEST(EventLoopAlone, counting_time_from_a_later_tick_changes_no_bit) {
   Rules rules = rules_of(domain(12, 10, true, false));
-  rules.scale = TickScale(0x1p-8);
+  rules.scale = FixedTimeClock(0x1p-8);
   const auto start = lattice(rules, 5, 4);
   AllPairs<Ballistic> whole(rules, start);
   EventLoop<Ballistic> parts(rules);
   parts.reset(start, 0);
-  constexpr Ticks kEpoch = Ticks{1} << 60;
+  constexpr FixedTime kEpoch = FixedTime{1} << 60;
   for (int epoch = 0; epoch < 40; ++epoch) {
     parts.advance_to(kEpoch);
     parts.rebase(kEpoch);
@@ -223,7 +223,7 @@ TEST(EventLoopAlone, rods_in_a_line_are_where_free_points_would_be) {
   }
   EventLoop<Ballistic> loop(rules);
   loop.reset(rods, 0);
-  const Ticks end = rules.scale.ticks(50);
+  const FixedTime end = rules.scale.ticks(50);
   loop.advance_to(end);
   ASSERT_GT(loop.counts().ball_ball, 100U);
 

@@ -58,9 +58,9 @@ TEST(Walls, AreMetWithTheSpeedThatEnergyGivesThere) {
 }
 
 TEST(Walls, GiveBackTheSmallestHopWhereNothingIsLost) {
-  const double hop = 1e-3;
-  const Outcome outcome = fly(0.5, hop, -9.81, 1.0 / 240, 1);
-  EXPECT_EQ(outcome.velocity, hop);
+  const double bounce = 1e-3;
+  const Outcome outcome = fly(0.5, bounce, -9.81, 1.0 / 240, 1);
+  EXPECT_EQ(outcome.velocity, bounce);
   EXPECT_EQ(outcome.impacts, 1U);
 }
 

@@ -19,18 +19,18 @@ Spacing spacing() {
 
 constexpr double kTick = 0x1p-40;
 
-Ticks ticks(double seconds) {
-  return static_cast<Ticks>(seconds / kTick);
+FixedTime ticks(double seconds) {
+  return static_cast<FixedTime>(seconds / kTick);
 }
 
 Length measured() {
   Length length;
-  length.measure(spacing(), TickScale::of_tick(kTick));
+  length.measure(spacing(), FixedTimeClock::of_tick(kTick));
   length.start_over();
   return length;
 }
 
-Ticks next(Length& length) {
+FixedTime next(Length& length) {
   return length.end(0, kNever);
 }
 
@@ -67,9 +67,9 @@ TEST(WindowLength, EndsAtTheTargetAndIsNotLongerThanItsLimit) {
 
 TEST(WindowLength, GrowsWhereWindowsAreCheapAndShrinksWhereTheyAreDear) {
   Length length = measured();
-  const Ticks usual = next(length);
+  const FixedTime usual = next(length);
   length.learn({1, 0}, 100);
-  const Ticks longer = next(length);
+  const FixedTime longer = next(length);
   EXPECT_NEAR(static_cast<double>(longer) / static_cast<double>(usual), 1.15, 1e-9);
   length.learn({5, 0}, 100);  // passes
   EXPECT_NEAR(static_cast<double>(next(length)) / static_cast<double>(longer), 0.7, 1e-9);
@@ -81,7 +81,7 @@ TEST(WindowLength, GrowsWhereWindowsAreCheapAndShrinksWhereTheyAreDear) {
 
 TEST(WindowLength, AShortWindowThatIsCheapSaysNothing) {
   Length length = measured();
-  const Ticks usual = next(length);
+  const FixedTime usual = next(length);
   (void)length.end(0, usual / 2);
   length.learn({1, 0}, 100);
   EXPECT_EQ(next(length), usual);
@@ -102,7 +102,7 @@ TEST(WindowLength, StaysWithin32TimesTheUsualOne) {
 TEST(WindowLength, WhereNothingMovesItIsAsLongAsAFlightMayBe) {
   Box box;
   Length length;
-  length.measure(Spacing(16, 0, 8, Domain(box, true), {0, 0}), TickScale::of_tick(kTick));
+  length.measure(Spacing(16, 0, 8, Domain(box, true), {0, 0}), FixedTimeClock::of_tick(kTick));
   length.start_over();
   EXPECT_EQ(next(length), kLongestFlight / 64);
 }

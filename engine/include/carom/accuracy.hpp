@@ -157,7 +157,7 @@ struct AccuracyStudy {
   std::vector<std::optional<MeanAndError>> averages;
   int average_digits = 16;  ///< of the reference that is averaged: 34 where there is time for it
   /// Why the sequence of steps ends where it does; empty: at its shortest step.
-  std::string ladder_end;
+  std::string sequence_end;
   std::size_t runs = 0;  ///< that were planned, without those that the time limit left out
   bool stopped = false;  ///< ended early, as asked
   std::optional<double> target;

@@ -70,7 +70,7 @@ struct SavedFlight {
   std::array<std::string, 2> velocity;
   std::string spin;                 ///< empty where balls have none
   std::optional<std::size_t> left;  ///< the fixed ball at which it began
-  unsigned carried = 0;             ///< the axes along which something carries it: 1 for x, 2 for y
+  unsigned support = 0;             ///< the axes along which something carries it: 1 for x, 2 for y
 };
 
 /// Where a saved run stood; lets it go on bit for bit.

@@ -7,8 +7,8 @@
 namespace carom::accuracy {
 namespace {
 
-constexpr std::size_t kLooks = 200;
-constexpr std::size_t kForgotten = kLooks / 5;
+constexpr std::size_t kSamples = 200;
+constexpr std::size_t kForgotten = kSamples / 5;
 
 /// Of the balls that can move.
 double mean_speed(const std::vector<Ball>& balls) {
@@ -22,20 +22,20 @@ double mean_speed(const std::vector<Ball>& balls) {
   return count > 0 ? sum / count : 0;
 }
 
-/// Sums over the looks at a run.
+/// Sums of samples of a run.
 struct Sums {
-  double looks = 0;
+  double samples = 0;
   double temperature = 0;
-  double pressure = 0;  // each over the time since the last look, which are equally long
+  double pressure = 0;  // each over the time since the last sample; all are equally long
   double speed = 0;
   double moving = 0;
 };
 
 std::optional<double> average(Observable observable, const Sums& sums, double area,
                               double collisions, double span) {
-  const double moving = sums.moving / sums.looks;
-  const double temperature = sums.temperature / sums.looks;
-  const double pressure = sums.pressure / sums.looks;
+  const double moving = sums.moving / sums.samples;
+  const double temperature = sums.temperature / sums.samples;
+  const double pressure = sums.pressure / sums.samples;
   const double rate = moving > 0 && span > 0 ? 2 * collisions / (moving * span) : 0;
   switch (observable) {
     case Observable::temperature:
@@ -49,7 +49,7 @@ std::optional<double> average(Observable observable, const Sums& sums, double ar
       return rate;
     case Observable::mean_free_path:
       if (!(rate > 0)) return std::nullopt;
-      return sums.speed / sums.looks / rate;
+      return sums.speed / sums.samples / rate;
   }
   return std::nullopt;
 }
@@ -64,12 +64,12 @@ Averages averages_of(const std::vector<Observable>& observables, const Scenario&
   Sums sums;
   double begun = 0;
   double collisions = 0;
-  for (std::size_t look = kForgotten; look <= kLooks; ++look) {
-    const double part = static_cast<double>(look) / static_cast<double>(kLooks);
-    runner.advance_to(look == kLooks ? scenario.end : scenario.end * part);
+  for (std::size_t sample = kForgotten; sample <= kSamples; ++sample) {
+    const double part = static_cast<double>(sample) / static_cast<double>(kSamples);
+    runner.advance_to(sample == kSamples ? scenario.end : scenario.end * part);
     told(part);
     const Simulation& simulation = runner.simulation();
-    if (look == kForgotten) {
+    if (sample == kForgotten) {
       begun = simulation.time();
       collisions = -static_cast<double>(simulation.measure().ball_ball);
       runner.record_impacts();
@@ -78,7 +78,7 @@ Averages averages_of(const std::vector<Observable>& observables, const Scenario&
     }
     const std::vector<Ball> balls = simulation.state();
     const Fluid fluid = meter.measure(simulation.time(), balls, runner.take_impacts());
-    ++sums.looks;
+    ++sums.samples;
     sums.temperature += fluid.temperature.value_or(0);
     sums.pressure += fluid.pressure.value_or(0);
     sums.speed += mean_speed(balls);

@@ -12,9 +12,9 @@
 namespace carom::accuracy {
 namespace {
 
-constexpr std::size_t kRestLooks = 240;  // at the balls, until the end
-constexpr std::size_t kLastThird = kRestLooks * 2 / 3;
-constexpr std::size_t kJudgeCostAtLook = kRestLooks / 16;
+constexpr std::size_t kRestSamples = 240;  // at the balls, until the end
+constexpr std::size_t kLastThird = kRestSamples * 2 / 3;
+constexpr std::size_t kJudgeCostAtSample = kRestSamples / 16;
 
 double kinetic_energy(const std::vector<Ball>& balls) {
   double sum = 0;
@@ -68,13 +68,13 @@ RestRun run_to_rest(const Scenario& scenario, const Way& way, const AccuracyCrew
   RestRun run;
   run.workers = simulation.workers();
   std::vector<Ball> third;  // where the balls were when the last third began
-  for (std::size_t look = 1; look <= kRestLooks; ++look) {
-    const double part = static_cast<double>(look) / static_cast<double>(kRestLooks);
-    const double time = look == kRestLooks ? scenario.end : scenario.end * part;
+  for (std::size_t sample = 1; sample <= kRestSamples; ++sample) {
+    const double part = static_cast<double>(sample) / static_cast<double>(kRestSamples);
+    const double time = sample == kRestSamples ? scenario.end : scenario.end * part;
     const Spent spent = advance(runner, time);
     run.seconds += spent.wall;
     run.cpu_seconds += spent.cpu;
-    if (look == kJudgeCostAtLook && run.seconds / part > kFarTooLong * limit) {
+    if (sample == kJudgeCostAtSample && run.seconds / part > kFarTooLong * limit) {
       throw TooLong(fmt::format("would take about {:.3g} s, its time limit is {:.3g} s",
                                 run.seconds / part, limit));
     }
@@ -82,8 +82,8 @@ RestRun run_to_rest(const Scenario& scenario, const Way& way, const AccuracyCrew
     const std::vector<Ball> balls = simulation.state();
     const std::optional<Gravity> pull = simulation.effects().gravity;
     const Vec2 gravity = pull ? pull->acceleration : Vec2{0, 0};
-    if (look == kLastThird) third = balls;
-    if (look > kLastThird) {
+    if (sample == kLastThird) third = balls;
+    if (sample > kLastThird) {
       run.creep = std::max(run.creep, farthest_move(third, balls, scenario.start.box));
     }
     const double scale = lift(balls, gravity);
@@ -93,7 +93,7 @@ RestRun run_to_rest(const Scenario& scenario, const Way& way, const AccuracyCrew
     } else if (!run.rest_time) {
       run.rest_time = time;
     }
-    if (look < kRestLooks) continue;
+    if (sample < kRestSamples) continue;
     run.equilibrium_residual =
         equilibrium_residual(balls, scenario.start.box, simulation.effects());
     run.height = height(balls, gravity);

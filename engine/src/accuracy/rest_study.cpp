@@ -68,11 +68,11 @@ class RestStudy {
       plan_.push_back({Method::overlap, step, 16});
     }
     try {
-      for (std::size_t i = 0; i < plan_.size() && study_.ladder_end.empty(); ++i) run_planned(i);
+      for (std::size_t i = 0; i < plan_.size() && study_.sequence_end.empty(); ++i) run_planned(i);
     } catch (const StopAsked&) {
       study_.stopped = true;
     }
-    study_.runs = study_.ladder_end.empty() ? plan_.size() : study_.rows.size();
+    study_.runs = study_.sequence_end.empty() ? plan_.size() : study_.rows.size();
     if (study_.target) study_.recommended = cheapest_within(study_, *study_.target);
     return std::move(study_);
   }
@@ -103,7 +103,7 @@ class RestStudy {
     study_.rows.push_back(row);
     if (request_.row_done) request_.row_done(study_.rows.back());
     if (!row.step || number + 1 == plan_.size()) return;
-    study_.ladder_end = why_last(row, name_of(way), request_.share);
+    study_.sequence_end = why_last(row, name_of(way), request_.share);
   }
 
   void run_starts(AccuracyRow& row, const Way& way, std::size_t number) {

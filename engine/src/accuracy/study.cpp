@@ -193,7 +193,7 @@ class Study {
     if (!plan_.goes_on_with_shorter_steps(at_)) return;
     const std::string why = why_last(study_.rows.back(), name_of(plan_[at_].way), request_.share);
     if (why.empty()) return;
-    study_.ladder_end += (study_.ladder_end.empty() ? "" : "; ") + why;
+    study_.sequence_end += (study_.sequence_end.empty() ? "" : "; ") + why;
     plan_.leave_out_shorter_steps(at_);
   }
 

@@ -13,12 +13,13 @@ namespace carom::event {
 // that the contact itself brings (s: its distance, g: gravity).
 //
 // Rule 1, bouncing out.  A ball that leaves a wall, against which gravity presses it, so slowly
-// that the hop is over before the clock moves, rests on it from this instant: its normal velocity
-// is 0 and nothing accelerates it that way.  Dropped from h it rests at sqrt(2h/g)(1+e)/(1-e),
-// exactly at the wall, after about ln(2^55) / ln(1/e) hops; along the wall it glides on.  The same
-// straight above a fixed ball.  Seen from a ball that falls it accelerates: fixed_disk_time().
-// Where the wall is elastic, and only other impacts or drag lose energy, hops do not end: there
-// those within 2^-12 sqrt(s/g) are none, s twice the radius; they are 2^-27 s high.
+// that the bounce is over before the clock moves, rests on it from this instant: its normal
+// velocity is 0 and nothing accelerates it that way.  Dropped from h it rests at
+// sqrt(2h/g)(1+e)/(1-e), exactly at the wall, after about ln(2^55) / ln(1/e) bounces; along the
+// wall it glides on.  The same straight above a fixed ball.  Seen from a ball that falls it
+// accelerates: fixed_disk_time(). Where the wall is elastic, and only other impacts or drag lose
+// energy, bounces do not end: there those within 2^-12 sqrt(s/g) are none, s twice the radius; they
+// are 2^-27 s high.
 //
 // Along a wall with friction, with mu and the normal pull g_n, a uniform disk slides under g_t - mu
 // g_n against its slip, its spin changing by 2 mu g_n / r in a second, until the slip is 0: an
@@ -42,20 +43,20 @@ namespace carom::event {
 //   - after which they would meet again within a step, as gravity presses them together,
 //   - or shortly after both have been hit: within 2^-12 sqrt(s/g), and 2^-12 of s: contacts last
 //     so long (Luding and McNamara, Granular Matter 1 (1998) 113).
-// Two that gravity presses together and that have no speed along their normal, but for a hop within
-// 2^-22 of the two, join whatever their restitution. Else, where collisions are elastic, something
-// else must take energy from the two: one of them is
-// carried already; or, where walls lose energy or there is drag, one is within 2^-16 of its
-// diameter of a wall and both have been hit within 2^-16 instead of 2^-12; or, where there is drag,
-// one is fixed and the other comes at less than 2^-12 sqrt(s g). A harder impact on an island is
-// resolved for all of it at once: by the least impulses after which it parts e times as fast as it
-// came and nothing closes.  Where an island has more than kFewContacts contacts, what comes to it
-// before its next step, and is within kAhead of it, is resolved with the impact, that much too
-// early: a step of a large heap sees many.  A ball that nothing in the island carries leaves it.
-// An island gains no energy, counted without what gravity has given it ahead of its fall.  Where
-// nothing loses energy along a normal, a step holds only what approaches no faster than
-// 2 h (g + u^2 / s), u the slip, as gravity and the turning normal of a contact that lasts make it;
-// what comes faster, or to a wall, is an impact at its own time.
+// Two that gravity presses together and that have no speed along their normal, but for a bounce
+// within 2^-22 of the two, join whatever their restitution. Else, where collisions are elastic,
+// something else must take energy from the two: one of them is carried already; or, where walls
+// lose energy or there is drag, one is within 2^-16 of its diameter of a wall and both have been
+// hit within 2^-16 instead of 2^-12; or, where there is drag, one is fixed and the other comes at
+// less than 2^-12 sqrt(s g). A harder impact on an island is resolved for all of it at once: by the
+// least impulses after which it parts e times as fast as it came and nothing closes.  Where an
+// island has more than kFewContacts contacts, what comes to it before its next step, and is within
+// kAhead of it, is resolved with the impact, that much too early: a step of a large heap sees many.
+// A ball that nothing in the island carries leaves it. An island gains no energy, counted without
+// what gravity has given it ahead of its fall.  Where nothing loses energy along a normal, a step
+// holds only what approaches no faster than 2 h (g + u^2 / s), u the slip, as gravity and the
+// turning normal of a contact that lasts make it; what comes faster, or to a wall, is an impact at
+// its own time.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of
@@ -68,7 +69,7 @@ namespace carom::event {
 // What there is to save of this is, ball by ball, the axes along which something carries it, and
 // whether it is in an island, and rests; the rest follows from the flights.
 
-/// Rule 1: leaving at v, pressed back by a, the hop is over before the clock moves.
+/// Rule 1: leaving at v, pressed back by a, the bounce is over before the clock moves.
 template <class S>
 bool bounces_out(const S& v, const S& a, const S& restitution, const S& resolution) {
   return restitution < 1 && a > 0 && 2 * v <= a * resolution;
@@ -79,12 +80,13 @@ bool bounces_out(const S& v, const S& a, const S& restitution, const S& resoluti
 inline constexpr double kShortly = 0x1p-12;
 /// The same for elastic balls, from which only something else takes energy.
 inline constexpr double kBriefly = 0x1p-16;
-/// The same where nothing takes any: a hop so short has 2^-49 of the energy of a fall through s.
+/// The same where nothing takes any: a bounce so short has 2^-49 of the energy of a fall through s.
 inline constexpr double kAtOnce = 0x1p-22;
 
-/// Rule 1, where what is bounced off is elastic: the hop is shorter than a contact of distance s.
+/// Rule 1, where what is bounced off is elastic: the bounce is shorter than a contact of distance
+/// s.
 template <class S>
-bool barely_hops(const S& v, const S& a, const S& s, double part = kShortly) {
+bool barely_bounces(const S& v, const S& a, const S& s, double part = kShortly) {
   return a > 0 && 4 * v * v <= a * s * (part * part);
 }
 

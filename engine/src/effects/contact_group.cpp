@@ -155,12 +155,12 @@ bool ContactGroup::collide(Contact& contact, const Domain& domain, const Collisi
   const LineOfCentres& line = contact.line;
   const double closing = (b.velocity - a.velocity).dot(line.r);
   if (!approaches(closing, line.length, a.velocity, b.velocity)) return false;
-  Blow blow;
-  blow.bounces = true;
-  blow.j = impulse(closing, line.square, contact.inverse_masses, rule.restitution);
-  blow.arrival = -closing / line.length;
-  blow.leaving = rule.restitution * blow.arrival;
-  exchange(contact, blow, domain, rule, count);
+  Exchange exchanged;
+  exchanged.bounces = true;
+  exchanged.j = impulse(closing, line.square, contact.inverse_masses, rule.restitution);
+  exchanged.arrival = -closing / line.length;
+  exchanged.leaving = rule.restitution * exchanged.arrival;
+  exchange(contact, exchanged, domain, rule, count);
   return true;
 }
 
@@ -188,24 +188,25 @@ bool ContactGroup::collide_under_pull(Contact& contact, const Domain& domain,
   return true;
 }
 
-void ContactGroup::exchange(const Contact& contact, const Blow& blow, const Domain& domain,
+void ContactGroup::exchange(const Contact& contact, const Exchange& exchanged, const Domain& domain,
                             const CollisionRule& rule, ImpactCount& count) {
   Member& a = members[contact.a];
   Member& b = members[contact.b];
   const LineOfCentres& line = contact.line;
-  a.velocity -= blow.j * a.inverse_mass * line.r;
-  b.velocity += blow.j * b.inverse_mass * line.r;
+  a.velocity -= exchanged.j * a.inverse_mass * line.r;
+  b.velocity += exchanged.j * b.inverse_mass * line.r;
   FrictionChange by_friction;
   if (rule.friction > 0) {
     const Stopwatch stopwatch(count.timed, count.friction_seconds);
-    by_friction = apply_friction(a, b, line, blow.j * line.length, rule.friction);
+    by_friction = apply_friction(a, b, line, exchanged.j * line.length, rule.friction);
   }
-  if (blow.bounces) ++count.ball_ball;
-  by_friction.lost += lost_to_restitution(blow.arrival, blow.leaving, contact.inverse_masses);
+  if (exchanged.bounces) ++count.ball_ball;
+  by_friction.lost +=
+      lost_to_restitution(exchanged.arrival, exchanged.leaving, contact.inverse_masses);
   count.lost += by_friction.lost;
   if (count.log.wanted) {
-    Impact& impact = note(contact, blow.j * line.length, by_friction, count.log);
-    if (blow.bounces) impact.kind = ImpactKind::ball;
+    Impact& impact = note(contact, exchanged.j * line.length, by_friction, count.log);
+    if (exchanged.bounces) impact.kind = ImpactKind::ball;
   }
   rebound(a, domain, rule, count);
   rebound(b, domain, rule, count);

@@ -97,13 +97,13 @@ class ContactGroup {
                           ImpactCount& count);
   void keep_inside(Member& member, const Domain& domain);
   /// The impact itself: `j` r is the impulse.
-  struct Blow {
+  struct Exchange {
     double j = 0;
     double arrival = 0;
     double leaving = 0;
     bool bounces = false;
   };
-  void exchange(const Contact& contact, const Blow& blow, const Domain& domain,
+  void exchange(const Contact& contact, const Exchange& exchanged, const Domain& domain,
                 const CollisionRule& rule, ImpactCount& count);
 };
 

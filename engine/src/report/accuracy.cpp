@@ -51,11 +51,11 @@ class StudyWriter {
     writer_.key("rows").begin_list(kLines);
     for (const AccuracyRow& row : study_.rows) put_row(row);
     writer_.end_list();
-    writer_.key("ladder_end");
-    if (study_.ladder_end.empty()) {
+    writer_.key("sequence_end");
+    if (study_.sequence_end.empty()) {
       writer_.null();
     } else {
-      writer_.value(study_.ladder_end);
+      writer_.value(study_.sequence_end);
     }
     writer_.put("target", study_.target).key("recommended");
     if (study_.recommended) {

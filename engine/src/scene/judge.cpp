@@ -253,11 +253,11 @@ void judge_flights(const Scene& scene, Verdict& verdict) {
       verdict.add(Place("/continuation/flights") / i / "left",
                   fmt::format("must be the number of a fixed ball, got {}", *left));
     }
-    if (continuation.flights[i].carried > 13) {
+    if (continuation.flights[i].support > 13) {
       verdict.add(Place("/continuation/flights") / i / "carried",
                   fmt::format("must be 0, 1 for x, 2 for y, 3 for both, 4 to 10 on walls with "
                               "friction, 11 to 13 in a contact island, got {}",
-                              continuation.flights[i].carried));
+                              continuation.flights[i].support));
     }
   }
 }

@@ -231,7 +231,7 @@ struct Table<SavedFlight> {
       key<Form::decimal>("velocity", &SavedFlight::velocity).required(R"(["1", "0"])"),
       key<Form::decimal>("spin", &SavedFlight::spin),
       key("left", &SavedFlight::left, "The fixed ball at which it began."),
-      key("carried", &SavedFlight::carried,
+      key("carried", &SavedFlight::support,
           "The axes along which something carries it: 1 for x, 2 for y, 3 for both; 4 to 7 sliding "
           "along a wall with friction, 8 and 9 rolling, 10 turning in a corner; 11 in a contact "
           "island at rest, 12 in one that moves, 13 joining it.")

@@ -19,7 +19,7 @@ struct DampedFall {
     return {h + t * multiply_add(S(a * t), d.fall, S(v * d.way)),
             multiply_add(v, d.remaining, S(a * t * d.way))};
   }
-  /// The same for a start at the wall, divided by t: the shortest hop keeps its digits.
+  /// The same for a start at the wall, divided by t: the shortest bounce keeps its digits.
   Tangent<S> from_wall(const S& t) const {
     const auto d = damping(S(rate * t));
     return {multiply_add(S(a * t), d.fall, S(v * d.way)), (d.way - d.fall) * (a - rate * v)};

@@ -15,7 +15,7 @@ class Parabola {
   using W = Wide<S>;
 
   /// from_contact: the flight began at contact with this very ball, so the gap starts at 0
-  /// whatever rounding did to r; the root that makes is divided out, and the shortest hop keeps
+  /// whatever rounding did to r; the root that makes is divided out, and the shortest bounce keeps
   /// its digits.
   Parabola(const Vec<S>& r, const Vec<S>& v, const Vec<S>& g, const S& s, bool from_contact)
       : r_(r),

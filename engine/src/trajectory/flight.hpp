@@ -29,7 +29,7 @@ struct Flight {
 
 /// The law of a ball that something carries along some axes: 1 for x, 2 for y.
 template <class Law>
-Law carried(const Law& law, unsigned axes) {
+Law supported(const Law& law, unsigned axes) {
   auto pull = law.pull();
   if ((axes & 1U) != 0) pull.x = 0;
   if ((axes & 2U) != 0) pull.y = 0;

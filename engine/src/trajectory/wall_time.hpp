@@ -10,7 +10,7 @@ namespace carom::event {
 /// the last bit.
 ///
 /// Holds: touching (h = 0, as every wall impact leaves it) or beyond and approaching is now;
-/// leaving is not: then the next return is found, however short the hop. A ball beyond the wall
+/// leaving is not: then the next return is found, however short the bounce. A ball beyond the wall
 /// that does not come out before it turns is hit when it turns. Pressed without moving (v = 0, a
 /// < 0, h <= 0) is now: the case of rest_rules.hpp. A tangent touch from above is no impact.
 /// Error: 4 u of the time, but for a near tangent (a > 0), as the quadratic amplifies.

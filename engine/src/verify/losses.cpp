@@ -148,7 +148,7 @@ struct Pile {
   double won;       ///< the largest energy gained from one look to the next
   double restless;  ///< impacts in the last tenth of the time
 };
-constexpr int kLooks = 50;
+constexpr int kSamples = 50;
 
 /// The balls fall otherwise for each seed; with the first one, as the scene has them.
 Scene dropped(const Trial& trial) {
@@ -174,13 +174,13 @@ const Pile& settled_pile(const Trial& trial) {
   Pile pile{{}, 0, 0, 0};
   double energy = simulation.measure().energy_final;
   double impacts = 0;
-  for (int look = 1; look <= kLooks; ++look) {
-    simulation.advance_to(trial.scene.duration * look / kLooks);
+  for (int sample = 1; sample <= kSamples; ++sample) {
+    simulation.advance_to(trial.scene.duration * sample / kSamples);
     const Measurements now = simulation.measure();
     pile.won = std::max(pile.won, now.energy_final - energy);
     energy = now.energy_final;
     const auto sum = static_cast<double>(now.ball_ball + now.ball_wall);
-    if (10 * look <= 9 * kLooks) impacts = sum;
+    if (10 * sample <= 9 * kSamples) impacts = sum;
     pile.restless = sum - impacts;
   }
   pile.outcome = {simulation.state(), simulation.measure()};

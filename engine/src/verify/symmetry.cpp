@@ -84,8 +84,8 @@ double worst_rerun(const Trial& trial, Scene scene, std::uint64_t stream, Rerun 
   return worst;
 }
 
-/// A ball that hops on a fixed one until it falls off: its way does not tell by itself that it
-/// began at a contact, and each hop makes more of what is lost of it.
+/// A ball that bounces on a fixed one until it falls off: its way does not tell by itself that it
+/// began at a contact, and each bounce makes more of what is lost of it.
 Scene hopping(const Scene& scene) {
   Ball fixed_disk = ball(4, 2, 0, 0, 1);
   fixed_disk.fixed = true;

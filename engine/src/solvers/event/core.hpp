@@ -81,10 +81,10 @@ class Core {
   /// The balls with what does not change of them while they fly; a fixed one is where it is.
   [[nodiscard]] virtual const std::vector<Ball>& balls() const = 0;
   /// Sets position, velocity and spin of those that move of the balls from number `first` on.
-  virtual void look(std::size_t first, std::span<Ball> balls) const = 0;
+  virtual void read_balls(std::size_t first, std::span<Ball> balls) const = 0;
   /// Of all balls.
   /// REQUIRES: one for each.
-  void look(std::vector<Ball>& balls) const { look(0, balls); }
+  void read_balls(std::vector<Ball>& balls) const { read_balls(0, balls); }
   [[nodiscard]] virtual std::vector<ExactPosition> exact_positions() const = 0;
   /// How often each ball has gone round the periodic axes that gravity pulls along.
   [[nodiscard]] virtual Turns turns() const = 0;

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "solvers/event/ticks.hpp"
+#include "solvers/event/fixed_time.hpp"
 
 namespace carom::event {
 

@@ -29,7 +29,7 @@ class EnergyBook {
   }
   void forget() { noted_ = 0; }
   /// From here on what is kept can be taken back.
-  void begin_instant() { kept_.clear(); }
+  void begin_simultaneous() { kept_.clear(); }
   /// How often something was kept since then.
   [[nodiscard]] std::size_t kept() const { return kept_.size(); }
   /// Takes back what was kept from number `first` on, up to `last`.

@@ -51,7 +51,7 @@ struct Counts {
   std::uint64_t ball_ball = 0;
   std::uint64_t ball_wall = 0;
   std::uint64_t renewals = 0;       ///< squares left: neighbours listed again
-  std::uint64_t scans = 0;          ///< searches for the next impact of a ball
+  std::uint64_t predictions = 0;    ///< searches for the next impact of a ball
   std::uint64_t stale = 0;          ///< of them, because its partner had met another
   std::uint64_t joint_impacts = 0;  ///< of several contacts at one instant
   std::uint64_t jammed = 0;         ///< contacts without a gap, with speed across: see JointReport
@@ -64,7 +64,7 @@ struct Counts {
     ball_ball += other.ball_ball;
     ball_wall += other.ball_wall;
     renewals += other.renewals;
-    scans += other.scans;
+    predictions += other.predictions;
     stale += other.stale;
     joint_impacts += other.joint_impacts;
     jammed += other.jammed;
@@ -82,8 +82,8 @@ struct Counts {
 /// first of its balls that has nothing earlier.  Whoever takes a ball from its partner leaves the
 /// partner with a time before which nothing can happen to it, and that it is looked at again then.
 ///
-/// Impacts of the same tick that share a ball, and those that a blow passes on to balls that touch,
-/// are resolved together, by rules that do not see an order.
+/// Impacts of the same tick that share a ball, and those that an impact passes on to balls that
+/// touch, are resolved together, by rules that do not see an order.
 ///
 /// Holds: for every pair, the earlier of the two balls' `meets` is not after their impact.
 /// Errors: std::runtime_error where impacts follow each other without time passing, or next to
@@ -178,7 +178,7 @@ class EventLoop {
   }
   void meet_alone(Index i, Index partner, At now);
   void forget(Index i);
-  void look_again(Index i, At now);
+  void predict_again(Index i, At now);
   void end_flight(Index i, At now);
   void count_turns(Index i, At now);
   void watch(At now);
@@ -193,7 +193,7 @@ class EventLoop {
     std::vector<carom::FrictionChange> by_friction;  ///< by contact; empty: there is no friction
     double held = 0;                                 ///< see JointReport
   };
-  void log_joint(const SimultaneousImpact& instant, const JointLog& joint, At now);
+  void log_joint(const SimultaneousImpact& group, const JointLog& joint, At now);
   struct IslandLog {
     std::vector<double> impulses;  ///< by contact
     std::vector<char> counted;     ///< by contact: it is one of the impacts that are counted
@@ -210,20 +210,21 @@ class EventLoop {
   void keep_slides();
 
   // What a ball meets next: loop_search_body.hpp, loop_lanes_body.hpp.
-  void scan(Index i, At now);
+  void predict(Index i, At now);
   /// What of `others` the ball meets before `best`.
-  void look_at(Index i, const Index* others, std::uint32_t count, At now, Meeting<P>& best) const;
-  /// Where some of them, or the ball itself, may be fixed or carried.
-  void look_at_mixed(Index i, const Index* others, std::uint32_t count, At now,
+  void predict_pairs(Index i, const Index* others, std::uint32_t count, At now,
                      Meeting<P>& best) const;
-  void look_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
-                     Meeting<P>& best) const requires kInLanes;
-  template <class Law>
-  void look_in_lanes_by(const Law& law, Index i, const Index* others, std::uint32_t count, At now,
+  /// Where some of them, or the ball itself, may be fixed or supported.
+  void predict_mixed(Index i, const Index* others, std::uint32_t count, At now,
+                     Meeting<P>& best) const;
+  void predict_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
                         Meeting<P>& best) const requires kInLanes;
-  void look_singly(Index i, Index other, At now, Meeting<P>& best) const;
-  void look_at_fixed_disk(Index i, Index fixed_disk, Meeting<P>& best) const;
-  void look_alone(Index i, Meeting<P>& best) const;
+  template <class Law>
+  void predict_in_lanes_by(const Law& law, Index i, const Index* others, std::uint32_t count,
+                           At now, Meeting<P>& best) const requires kInLanes;
+  void predict_pair(Index i, Index other, At now, Meeting<P>& best) const;
+  void predict_fixed_disk(Index i, Index fixed_disk, Meeting<P>& best) const;
+  void predict_alone(Index i, Meeting<P>& best) const;
   void link(Index i, const Meeting<P>& best);
   void unlink(Index i);
 
@@ -245,7 +246,7 @@ class EventLoop {
     std::size_t kept_after;
     std::size_t log_after;
   };
-  void begin_instant();
+  void begin_simultaneous();
   /// What is remembered, counted, kept and noted until the next end belongs to one group.
   void begin_resolution();
   void end_resolution();
@@ -272,7 +273,7 @@ class EventLoop {
     if (other != i) ties_.insert({at, other});
   }
   /// When two balls meet, if that is by `now`.
-  [[nodiscard]] Time pair_meets(Index i, Index j, At now) const;
+  [[nodiscard]] Time pair_event(Index i, Index j, At now) const;
   [[nodiscard]] bool tied(Index i, Index partner, At now);
   [[nodiscard]] bool meets_another(Index i, Index partner, At now) const;
   /// What meets at the present instant, as far as it is known: all of it at once, so that no order
@@ -282,24 +283,24 @@ class EventLoop {
   [[nodiscard]] std::optional<bool> is_joint(Index i, Index partner, At now);
   using Pair = std::pair<Index, Index>;  ///< a ball, and what it meets
   void resolve_together(std::vector<Pair> alone, const std::vector<Pair>& joint, At now);
-  [[nodiscard]] std::vector<SimultaneousImpact> groups_of(std::vector<Index>& looked_for, At now);
+  [[nodiscard]] std::vector<SimultaneousImpact> groups_of(std::vector<Index>& to_predict, At now);
   void resolve_alone(Index i, Index partner, At now);
   /// One impact, of balls that have been remembered: it is booked and noted.
   void meet_and_note(Index i, Index partner, At now);
-  void look_again_at_changed(At now);
+  void predict_changed(At now);
   /// All that touches at this instant, over balls that can move, from these on; takes from `seeds`
   /// those that it has found.
   [[nodiscard]] SimultaneousImpact touching(std::vector<Index>& seeds, At now);
   /// `looked_for`: the balls whose next impact is unknown.
-  void resolve_group(SimultaneousImpact& instant, const std::vector<Index>& looked_for, At now);
-  void note_left(const SimultaneousImpact& instant, At now);
-  [[nodiscard]] JointReport resolve(SimultaneousImpact& instant,
+  void resolve_group(SimultaneousImpact& group, const std::vector<Index>& to_predict, At now);
+  void note_left(const SimultaneousImpact& group, At now);
+  [[nodiscard]] JointReport resolve(SimultaneousImpact& group,
                                     JointLog* log) const;  // loop_friction_body.hpp
   /// Gives the energy that friction takes.
-  double apply_friction_jointly(SimultaneousImpact& instant, JointLog* log) const;
-  void add_member(SimultaneousImpact& instant, Index i, At now) const;
-  void add_contacts(SimultaneousImpact& instant, std::size_t member, At now);
-  void add_contact(SimultaneousImpact& instant, std::size_t member, Index j, At now, bool meets);
+  double apply_friction_jointly(SimultaneousImpact& group, JointLog* log) const;
+  void add_member(SimultaneousImpact& group, Index i, At now) const;
+  void add_contacts(SimultaneousImpact& group, std::size_t member, At now);
+  void add_contact(SimultaneousImpact& group, std::size_t member, Index j, At now, bool meets);
   [[nodiscard]] bool is_linked(Index i, Index j) const;
   /// Whether this contact was one of those resolved together at this instant: to resolve them again
   /// would change nothing.
@@ -317,7 +318,7 @@ class EventLoop {
   void update_support(Index i);
   void schedule_step(At now);
   void settle(Index i, At now);
-  [[nodiscard]] bool is_of_island(const SimultaneousImpact& instant, At now) const;
+  [[nodiscard]] bool is_of_island(const SimultaneousImpact& group, At now) const;
   // The balls of an island and their contacts: loop_island_search_body.hpp.
   void put_at(FoundIsland& island, Vec<S>& at, std::size_t axis, const S& stop,
               const S& inverse_mass) const;
@@ -414,13 +415,13 @@ class EventLoop {
   std::vector<Index>
       left_;  ///< the fixed ball a flight began at; only where balls fall on fixed disks
   mutable std::set<std::pair<Time, Index>> ties_;  ///< when impacts may share a ball, and which
-  Time instant_ = 0;                               ///< of the last impact
+  Time impact_time_ = 0;                           ///< of the last impact
   std::vector<Past> past_;                         ///< the balls that were hit at that instant
   std::vector<Resolution> resolutions_;            ///< of that instant
   DisjointSets resolution_sets_;                   ///< those that share balls
   std::vector<int> resolution_of_;                 ///< by ball; -1: it was not hit
   std::vector<Pair> waiting_;                      ///< impacts at that instant still to come
-  std::vector<Pair> linked_;    ///< what met at that instant, after a blow or not
+  std::vector<Pair> linked_;                       ///< what met at that instant, passed on or not
   std::vector<Pair> resolved_;  ///< contacts of the joint impacts at that instant
   std::vector<Pair> pressed_;   ///< what is to come to rest at that instant
   std::vector<Index> changed_;  ///< balls whose next impact is to be looked for

@@ -48,7 +48,7 @@ void EventLoop<P>::reset(const std::vector<Disk>& disks, At now, const std::vect
     left_.clear();
   }
   ties_.clear();
-  instant_ = Time(-1);  // an impact at this very moment begins an instant
+  impact_time_ = Time(-1);  // an impact at this very moment begins an instant
   at_once_ = 0;
   watched_from_ = now;
   watched_ = 0;
@@ -87,7 +87,7 @@ void EventLoop<P>::reset(const std::vector<Disk>& disks, At now, const std::vect
     neighbours_.reset(disks_, now);
     for (Index i = 0; i < n; ++i) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
   }
-  for (Index i = 0; i < n; ++i) scan(i, now);
+  for (Index i = 0; i < n; ++i) predict(i, now);
   for (Index i = 0; i < n; ++i) schedule(i);
 }
 
@@ -139,7 +139,7 @@ void EventLoop<P>::advance_to(At until) {
   for (;;) {
     const Time at = std::min(next_step_, Time(until));
     const Entry* next = first_event(at);
-    const bool same = next != nullptr && next->time == instant_;
+    const bool same = next != nullptr && next->time == impact_time_;
     if (!same && !waiting_.empty()) {
       resolve_waiting();
     } else if (!same && !pressed_.empty()) {
@@ -206,7 +206,7 @@ void EventLoop<P>::rebase(At by) {
   // Long ago is long ago, however many epochs: the ticks of all of them are no number.
   stepped_ = stepped_ >= by ? Time(stepped_ - by) : Time(-1);
   watched_from_ = watched_from_ >= by ? Time(watched_from_ - by) : Time(Time(-1) - kShortTicks);
-  instant_ = instant_ >= by ? Time(instant_ - by) : Time(-1);
+  impact_time_ = impact_time_ >= by ? Time(impact_time_ - by) : Time(-1);
   for (Past& past : past_) {
     const Time oldest = P::Clock::ever() + by;
     past.disk.start = past.disk.start > oldest ? Time(past.disk.start - by) : P::Clock::ever();

@@ -34,8 +34,8 @@ class LoopCore final : public Core {
   void remove(std::size_t ball) override;
   void set(const Domain& domain, const Effects& effects, bool bends) override;
   [[nodiscard]] const std::vector<Ball>& balls() const override { return balls_; }
-  using Core::look;
-  void look(std::size_t first, std::span<Ball> balls) const override;
+  using Core::read_balls;
+  void read_balls(std::size_t first, std::span<Ball> balls) const override;
   [[nodiscard]] std::vector<ExactPosition> exact_positions() const override;
   [[nodiscard]] Turns turns() const override { return turns(true); }
   [[nodiscard]] double energy_ahead() const override;
@@ -101,13 +101,13 @@ class LoopCore final : public Core {
 
   Domain domain_;
   Effects effects_;
-  std::vector<Ball> balls_;        // as they were at the last `land`
-  std::vector<Disk> flights_;      // of the balls, in their order, while there is no event loop
-  std::vector<S> spins_;           // of the balls, in their order, where they have friction
-  bool rests_ = false;             // contacts can come to rest
-  std::vector<Index> left_;        // the fixed ball at which each began, by number
-  std::vector<unsigned> carried_;  // what carries each, where contacts can rest
-  std::vector<Index> slot_;        // where in the event loop a ball is
+  std::vector<Ball> balls_;         // as they were at the last `land`
+  std::vector<Disk> flights_;       // of the balls, in their order, while there is no event loop
+  std::vector<S> spins_;            // of the balls, in their order, where they have friction
+  bool rests_ = false;              // contacts can come to rest
+  std::vector<Index> left_;         // the fixed ball at which each began, by number
+  std::vector<unsigned> supports_;  // what carries each, where contacts can rest
+  std::vector<Index> slot_;         // where in the event loop a ball is
   typename P::Clock scale_;
   Sharing sharing_;
   bool no_domains_ = false;                    // they did not get on

@@ -57,7 +57,7 @@ void LoopCore<P>::take_flights(const Continuation& from, const std::string& sour
     flights_.push_back(restored<P>(flights[i]));
     const auto& left = flights[i].left;
     left_.push_back(left ? static_cast<Index>(*left) : kUnknown);
-    carried_.push_back(rests_ ? flights[i].carried : 0);
+    supports_.push_back(rests_ ? flights[i].support : 0);
     spins_.push_back(effects_.friction ? number_of<S>(flights[i].spin) : S(0));
     const auto& start = flights_.back().start;
     const auto earliest = -P::Clock::longest_flight();
@@ -72,7 +72,7 @@ void LoopCore<P>::take_flights(const Continuation& from, const std::string& sour
 
 template <class P>
 auto LoopCore<P>::flight_of(const Ball& ball) const -> Disk {
-  const Room<S> room(domain_);
+  const SolverBox<S> room(domain_);
   Disk disk;
   disk.x = with_plain_zero(room.wrapped(0, ball.position.x()));
   disk.y = with_plain_zero(room.wrapped(1, ball.position.y()));
@@ -253,15 +253,15 @@ void LoopCore<P>::land() {
   collect_log();
   // What a flight has gone round stays with it until it ends.
   if (loop_ || groups_) turns_before_ = turns(false);
-  look(balls_);
+  read_balls(balls_);
   flights_.resize(slot_.size());
   left_.assign(slot_.size(), kUnknown);
-  carried_.assign(slot_.size(), 0);
+  supports_.assign(slot_.size(), 0);
   std::vector<Index> number(slot_.size());
   for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = static_cast<Index>(i);
   for (std::size_t i = 0; i < slot_.size(); ++i) {
     flights_[i] = flight(i);
-    carried_[i] = motion().carried(flights_[i]);
+    supports_[i] = motion().support(flights_[i]);
     const Index left = this->left(i);
     if (left != kUnknown) left_[i] = number[left];
     if (const auto spin = this->spin(i)) spins_[i] = *spin;
@@ -308,10 +308,10 @@ void LoopCore<P>::start() {
     if (added) rules.all_species.push_back(species);
     flights_[i].species = at->second;
   }
-  carried_.resize(balls_.size(), 0);
+  supports_.resize(balls_.size(), 0);
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     disks[slot_[i]] = flights_[i];
-    disks[slot_[i]].species += static_cast<Index>(carried_[i] * rules.all_species.size());
+    disks[slot_[i]].species += static_cast<Index>(supports_[i] * rules.all_species.size());
   }
   loop_.reset();
   groups_.reset();
@@ -325,7 +325,7 @@ void LoopCore<P>::start() {
       flights_.clear();
       if (effects_.drag) {
         std::vector<Ball> balls = balls_;
-        look(balls);
+        read_balls(balls);
         domains_energy_ = kinetic_energy(Balls(balls));
       }
       domains_began_ = now_;

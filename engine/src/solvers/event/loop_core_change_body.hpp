@@ -20,13 +20,13 @@ template <class P>
 void LoopCore<P>::remove(std::size_t ball) {
   std::vector<char> rested(slot_.size(), 0);
   for (std::size_t i = 0; i < slot_.size() && log_.wanted && !domains_; ++i) {
-    rested[i] = motion().carried(flight(i)) == kResting ? 1 : 0;
+    rested[i] = motion().support(flight(i)) == kResting ? 1 : 0;
   }
   if (loop_) loop_->wake_around(slot_[ball], now_.ticks);
   if (groups_) groups_->wake_around(ball, now_.ticks);
   land();
   for (std::size_t i = 0; i < slot_.size(); ++i) {
-    if (i == ball || rested[i] == 0 || carried_[i] == kResting) continue;
+    if (i == ball || rested[i] == 0 || supports_[i] == kResting) continue;
     tell_wake(i < ball ? i : i - 1, flights_[i]);
   }
   balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(ball));
@@ -36,7 +36,7 @@ void LoopCore<P>::remove(std::size_t ball) {
   for (auto& turns : turns_before_) {
     if (!turns.empty()) turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(ball));
   }
-  carried_.erase(carried_.begin() + static_cast<std::ptrdiff_t>(ball));
+  supports_.erase(supports_.begin() + static_cast<std::ptrdiff_t>(ball));
   for (Index& left : left_) {
     if (left == kUnknown || left < ball) continue;
     left = left == ball ? kUnknown : left - 1;
@@ -53,7 +53,7 @@ void LoopCore<P>::set(const Domain& domain, const Effects& effects, bool bends) 
   };
   const auto lies = [this] {
     for (std::size_t i = 0; i < slot_.size(); ++i) {
-      if (motion().carried(flight(i)) != 0) return true;
+      if (motion().support(flight(i)) != 0) return true;
     }
     return false;
   };
@@ -66,14 +66,14 @@ void LoopCore<P>::set(const Domain& domain, const Effects& effects, bool bends) 
     turns_before_ = with_present;
     for (std::size_t i = 0; i < slot_.size() && log_.wanted; ++i) {
       tell_slides(i, noted_);
-      if (motion().carried(flights_[i]) == kResting) tell_wake(i, flights_[i]);
+      if (motion().support(flights_[i]) == kResting) tell_wake(i, flights_[i]);
     }
     for (Disk& disk : flights_) {
       const auto i = static_cast<std::size_t>(&disk - flights_.data());
       if (disk.start != P::Clock::ever()) motion().carry(disk, now_.ticks, &spins_[i]);
     }
     std::fill(left_.begin(), left_.end(), kUnknown);
-    std::fill(carried_.begin(), carried_.end(), 0U);
+    std::fill(supports_.begin(), supports_.end(), 0U);
   }
   domain_ = domain;
   effects_ = effects;

@@ -82,7 +82,7 @@ Turns LoopCore<P>::turns(bool of_present_flights) const {
 }
 
 template <class P>
-void LoopCore<P>::look(std::size_t first, std::span<Ball> balls) const {
+void LoopCore<P>::read_balls(std::size_t first, std::span<Ball> balls) const {
   for (std::size_t k = 0; k < balls.size(); ++k) {
     Ball& ball = balls[k];
     if (ball.fixed) continue;
@@ -151,7 +151,7 @@ void LoopCore<P>::visit_flights(const std::function<void(const SavedFlight&)>& v
   for (std::size_t i = 0; i < slot_.size(); ++i) {
     const std::optional<S> spin = this->spin(i);
     SavedFlight saved = event::saved<P>(flight(i), spin ? &*spin : nullptr);
-    saved.carried = motion().carried(flight(i));
+    saved.support = motion().support(flight(i));
     const Index left = this->left(i);
     if (left != kUnknown) saved.left = number[left];
     visit(saved);

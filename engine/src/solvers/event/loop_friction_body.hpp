@@ -20,9 +20,9 @@ namespace carom::event {
 /// adds no energy: a ball's energy is convex in its impulses, and their parts add up to 1 at most.
 /// Sums are rounded once, so that no order is seen.
 template <class P>
-JointReport EventLoop<P>::resolve(SimultaneousImpact& instant, JointLog* log) const {
-  const double by_friction = spins_.empty() ? 0 : apply_friction_jointly(instant, log);
-  JointImpact<S> impact(instant.bodies, instant.contacts, log == nullptr ? nullptr : &log->strokes);
+JointReport EventLoop<P>::resolve(SimultaneousImpact& group, JointLog* log) const {
+  const double by_friction = spins_.empty() ? 0 : apply_friction_jointly(group, log);
+  JointImpact<S> impact(group.bodies, group.contacts, log == nullptr ? nullptr : &log->strokes);
   JointReport report = impact.resolve();
   if (log != nullptr) log->held = report.held_energy;
   report.lost += by_friction;
@@ -30,29 +30,29 @@ JointReport EventLoop<P>::resolve(SimultaneousImpact& instant, JointLog* log) co
 }
 
 template <class P>
-double EventLoop<P>::apply_friction_jointly(SimultaneousImpact& instant, JointLog* log) const {
+double EventLoop<P>::apply_friction_jointly(SimultaneousImpact& group, JointLog* log) const {
   const auto& rules = motion_.rules();
-  std::vector<Body<S>> bodies = instant.bodies;
-  JointImpact<S> normal(bodies, instant.contacts);
+  std::vector<Body<S>> bodies = group.bodies;
+  JointImpact<S> normal(bodies, group.contacts);
   normal.resolve();
   const std::vector<S>& gains = normal.gains();
 
   const auto index = [](int body) { return static_cast<std::size_t>(body); };
   const auto moves = [&](int body) {
-    return body != kWall && instant.bodies[index(body)].inverse_mass != 0;
+    return body != kWall && group.bodies[index(body)].inverse_mass != 0;
   };
   std::vector<int> has_friction(bodies.size(), 0);
   for (std::size_t k = 0; k < gains.size(); ++k) {
     if (!(gains[k] > 0)) continue;
-    const Contact<S>& c = instant.contacts[k];
+    const Contact<S>& c = group.contacts[k];
     if (moves(c.a)) ++has_friction[index(c.a)];
     if (moves(c.b)) ++has_friction[index(c.b)];
   }
   const auto friction_body = [&](int body) -> FrictionBody<S> {
     if (body == kWall) return {{S(0), S(0)}, S(0), S(0), S(0)};
     const std::size_t k = index(body);
-    return {instant.bodies[k].velocity, instant.spins[k],
-            motion_.species(disks_[instant.members[k]]).radius, instant.bodies[k].inverse_mass};
+    return {group.bodies[k].velocity, group.spins[k],
+            motion_.species(disks_[group.members[k]]).radius, group.bodies[k].inverse_mass};
   };
   struct Sums {
     ExactSum<S> x;
@@ -70,7 +70,7 @@ double EventLoop<P>::apply_friction_jointly(SimultaneousImpact& instant, JointLo
   std::vector<S> slips(gains.size(), S(0));
   std::vector<carom::FrictionChange> by_friction(gains.size());
   for (std::size_t k = 0; k < gains.size(); ++k) {
-    const Contact<S>& c = instant.contacts[k];
+    const Contact<S>& c = group.contacts[k];
     if (!(gains[k] > 0) || !(moves(c.a) || moves(c.b))) continue;
     const FrictionBody<S> a = friction_body(c.a);
     const FrictionBody<S> b = friction_body(c.b);
@@ -91,15 +91,15 @@ double EventLoop<P>::apply_friction_jointly(SimultaneousImpact& instant, JointLo
     take(c.b, b, 1);
   }
   for (std::size_t k = 0; k < sums.size(); ++k) {
-    Vec<S>& v = instant.bodies[k].velocity;
+    Vec<S>& v = group.bodies[k].velocity;
     v = v + Vec<S>{sums[k].x.rounded(), sums[k].y.rounded()};
-    instant.spins[k] += sums[k].spin.rounded();
+    group.spins[k] += sums[k].spin.rounded();
   }
   ExactSum<double> lost;
   for (std::size_t k = 0; k < slips.size(); ++k) {
     if (by_friction[k].impulse == 0) continue;
     by_friction[k].lost = lost_to_impulse(by_friction[k].impulse, static_cast<double>(slips[k]),
-                                          static_cast<double>(slip(instant.contacts[k])));
+                                          static_cast<double>(slip(group.contacts[k])));
     lost.add(by_friction[k].lost);
   }
   if (log != nullptr) log->by_friction = std::move(by_friction);

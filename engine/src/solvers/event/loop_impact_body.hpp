@@ -10,10 +10,10 @@ namespace carom::event {
 
 template <class P>
 void EventLoop<P>::watch(At now) {
-  if (now != instant_) {
-    instant_ = now;
+  if (now != impact_time_) {
+    impact_time_ = now;
     at_once_ = 0;
-    begin_instant();
+    begin_simultaneous();
     Time span = kShortTicks;
     if (motion_.elastic()) {
       span = P::Clock::span(1, P::Clock::bits() - kElasticSpan);
@@ -75,21 +75,21 @@ void EventLoop<P>::count_turns(Index i, At now) {
 }
 
 template <class P>
-void EventLoop<P>::look_again_at_changed(At now) {
-  for (const Index i : changed_) look_again(i, now);
+void EventLoop<P>::predict_changed(At now) {
+  for (const Index i : changed_) predict_again(i, now);
   changed_.clear();
 }
 
 // After a new flight has begun.
 template <class P>
-void EventLoop<P>::look_again(Index i, At now) {
+void EventLoop<P>::predict_again(Index i, At now) {
   if (motion_.fixed(disks_[i])) return;
   if (!counted_.empty()) end_flight(i, now);
   if (paths_ != nullptr) {
     paths_->note(i, {disks_[i], left(i), spins_.empty() ? S(0) : spins_[i]});
   }
   if (motion_.rules().collisions) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
-  scan(i, now);
+  predict(i, now);
   schedule(i);
 }
 
@@ -127,7 +127,7 @@ void EventLoop<P>::meet_alone(Index i, Index partner, At now) {
 // looked at alone.
 template <class P>
 void EventLoop<P>::settle_pressed() {
-  const auto now = instant_;
+  const auto now = impact_time_;
   std::vector<Pair> left = std::exchange(pressed_, {});
   std::vector<std::vector<Index>> islands;
   std::vector<std::vector<Pair>> others;
@@ -146,7 +146,7 @@ void EventLoop<P>::settle_pressed() {
         left.erase(std::remove_if(left.begin(), left.end(), shares), left.end());
       }
     }
-    if (motion_.hops() && std::any_of(group.begin(), group.end(), [&](auto& pair) {
+    if (motion_.contacts_last() && std::any_of(group.begin(), group.end(), [&](auto& pair) {
           return is_hit_of_island(pair.first, pair.second, now);
         })) {
       islands.push_back(std::move(balls));
@@ -169,7 +169,7 @@ void EventLoop<P>::settle_pressed() {
       changed_.push_back(i);
     }
   }
-  look_again_at_changed(now);
+  predict_changed(now);
 }
 
 // Whether a ball approaches what it meets by more than rounding.
@@ -193,9 +193,9 @@ void EventLoop<P>::meet(Index i, At now) {
   const Index partner = disks_[i].partner;
   if (partner == kUnknown) {
     ++counts_.stale;
-    if (now == instant_ && !past_.empty() && is_late(i, now)) return;
+    if (now == impact_time_ && !past_.empty() && is_late(i, now)) return;
     forget(i);
-    scan(i, now);
+    predict(i, now);
     schedule(i);
     return;
   }
@@ -203,7 +203,7 @@ void EventLoop<P>::meet(Index i, At now) {
   if (partner == kCarry) {
     if (!left_.empty()) left_[i] = kUnknown;
     motion_.carry(disks_[i], now, spin(i));
-    look_again(i, now);
+    predict_again(i, now);
     return;
   }
   if (partner == kSettles) {
@@ -225,9 +225,9 @@ void EventLoop<P>::next_event(Index i, At now) {
   const Flight<S> here = motion_.at(disks_[i], now);
   const std::span<const Index> fresh = neighbours_.renew(disks_, i, here);
   Meeting<P> best{disks_[i].meets, kUnknown};
-  look_at(i, fresh.data(), static_cast<std::uint32_t>(fresh.size()), now, best);
+  predict_pairs(i, fresh.data(), static_cast<std::uint32_t>(fresh.size()), now, best);
   disks_[i].leaves = neighbours_.leaving(disks_[i], i, here, now);
-  look_alone(i, best);
+  predict_alone(i, best);
   link(i, best);
   schedule(i);
 }

@@ -35,7 +35,7 @@ void EventLoop<P>::add_coming(FoundIsland& island, At now) {
       if (!near(r, S(radius + motion_.species(other).radius), S(kAhead))) continue;
       const Vec<S> v = motion_.velocity(other, now) - motion_.velocity(disk, now);
       if (!(dot(r, v) < 0)) continue;
-      const Time at = motion_.pair_meets(disk, other, false, next_step_);
+      const Time at = motion_.pair_event(disk, other, false, next_step_);
       if (at > now && at <= next_step_) coming.push_back({i, j, at});
     }
   }

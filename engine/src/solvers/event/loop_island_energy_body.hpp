@@ -19,7 +19,7 @@ auto EventLoop<P>::energy_of(const FoundIsland& island, double span) const -> Is
   for (std::size_t m = 0; m < island.bodies.size(); ++m) {
     const ConeBody& body = island.bodies[m];
     const double mass = 1 / body.inverse_mass;
-    const bool steps = island.carried[m] == kStepped;
+    const bool steps = island.support[m] == kStepped;
     ExactSum<double>& moving = steps ? stepped : others;
     moving.add(mass * (body.velocity.x * body.velocity.x));
     moving.add(mass * (body.velocity.y * body.velocity.y));
@@ -55,7 +55,7 @@ bool EventLoop<P>::keep_energy(FoundIsland& island, double had, double span) con
   a = std::max(a, 0.0);
   if (keeps ? a == 1 : !(a < 1)) return false;
   for (std::size_t m = 0; m < island.bodies.size(); ++m) {
-    if (!keeps && island.carried[m] != kStepped) continue;
+    if (!keeps && island.support[m] != kStepped) continue;
     ConeBody& body = island.bodies[m];
     body.velocity = a * body.velocity;
     body.turning = a * body.turning;
@@ -97,7 +97,7 @@ double EventLoop<P>::given_ahead(At now) const {
   double sum = 0;
   if (next_step_ == P::Clock::never()) return sum;
   for (const Disk& disk : disks_) {
-    if (motion_.fixed(disk) || motion_.carried(disk) != kStepped) continue;
+    if (motion_.fixed(disk) || motion_.support(disk) != kStepped) continue;
     sum += motion_.given_ahead(disk, now, next_step_);
   }
   return sum;

@@ -123,10 +123,10 @@ auto EventLoop<P>::hits_of(const FoundIsland& island, At now) const -> Hits {
     if (speed < -kStill * speed_of_step) continue;
     hits.fastest = std::max(hits.fastest, speed);
     const bool wall = near.partner >= kFirstMark && c.b == kWall;
-    if (wall && island.carried[a] < kResting && !(speed > 0)) continue;
+    if (wall && island.support[a] < kResting && !(speed > 0)) continue;
     bool sticks = false;
     if (wall) {
-      sticks = island.carried[a] >= kResting && motion_.sticks_to_wall(disk_of(c.a), S(speed), now);
+      sticks = island.support[a] >= kResting && motion_.sticks_to_wall(disk_of(c.a), S(speed), now);
     } else {
       const Disk& partner = c.b == kWall ? disks_[near.partner] : disk_of(c.b);
       sticks = motion_.sticks(disk_of(c.a), partner, near.r, now);
@@ -192,7 +192,8 @@ void EventLoop<P>::reflect_island(FoundIsland& island, Hits& hits) {
     const double away = gives_up() ? 0 : std::abs(approach(island, k));
     const auto reach = static_cast<double>(root(S(dot(island.near[k].r, island.near[k].r))));
     const auto pull = static_cast<double>(motion_.pull());
-    if (!barely_hops(away, c.b == kWall ? pressing : pull, reach, kAtOnce) && away != 0) continue;
+    if (!barely_bounces(away, c.b == kWall ? pressing : pull, reach, kAtOnce) && away != 0)
+      continue;
     if (c.b == kWall && !(pressing > 0) && !gives_up()) continue;
     hits.stays[a] = 1;
     if (c.b != kWall) hits.stays[static_cast<std::size_t>(c.b)] = 1;
@@ -255,15 +256,15 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
   }
   bool rested = false;
   for (std::size_t m = 0; m < island.members.size(); ++m) {
-    unsigned& carried = island.carried[m];
-    rested = rested || carried == kResting;
-    if (carried == kResting && log_ != nullptr) log_wake(island.members[m], now);
-    const bool of_it = (carried >= kResting && (!elastic || gives_up())) || hits.stays[m] != 0;
-    if (of_it && carried != kStepped) {
+    unsigned& support = island.support[m];
+    rested = rested || support == kResting;
+    if (support == kResting && log_ != nullptr) log_wake(island.members[m], now);
+    const bool of_it = (support >= kResting && (!elastic || gives_up())) || hits.stays[m] != 0;
+    if (of_it && support != kStepped) {
       // It has not been given what gravity makes till the next step.
       island.bodies[m].velocity = island.bodies[m].velocity + span * g;
     }
-    carried = of_it ? kStepped : 0;
+    support = of_it ? kStepped : 0;
   }
   if (rested) ++counts_.wakes;
   std::vector<double> loads(island.contacts.size(), 0);
@@ -296,7 +297,7 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
 template <class P>
 bool EventLoop<P>::holds(const FoundIsland& island, std::size_t contact) const {
   const auto steps = [&](int body) {
-    return body == kWall || island.carried[static_cast<std::size_t>(body)] == kStepped;
+    return body == kWall || island.support[static_cast<std::size_t>(body)] == kStepped;
   };
   const ConeContact& c = island.contacts[contact];
   return steps(c.a) && steps(c.b) && lasts(island, contact);
@@ -356,9 +357,9 @@ void EventLoop<P>::hold_on(FoundIsland& island, double span, double goal,
       if (wall || !island.near[k].touches || !(approach(island, k) > 0)) continue;
       for (const int body : {c.a, c.b}) {
         if (body == kWall) continue;
-        unsigned& carried = island.carried[static_cast<std::size_t>(body)];
-        if (carried == kStepped) continue;
-        carried = kStepped;
+        unsigned& support = island.support[static_cast<std::size_t>(body)];
+        if (support == kStepped) continue;
+        support = kStepped;
         Vec<double>& v = island.bodies[static_cast<std::size_t>(body)].velocity;
         v = v + span * g;
         more = true;

@@ -24,7 +24,7 @@ struct EventLoop<P>::FoundIsland {
 
   std::vector<Index> members;
   std::vector<Vec<S>> places;
-  std::vector<unsigned> carried;
+  std::vector<unsigned> support;
   std::vector<ConeBody> bodies;
   std::vector<ConeContact> contacts;
   std::vector<Near> near;  ///< by contact
@@ -32,7 +32,7 @@ struct EventLoop<P>::FoundIsland {
 };
 
 template <class S>
-bool lies_before(const Vec<S>& one, const Vec<S>& other) {
+bool precedes_by_place(const Vec<S>& one, const Vec<S>& other) {
   return one.x < other.x || (one.x == other.x && one.y < other.y);
 }
 
@@ -50,7 +50,7 @@ void EventLoop<P>::join(FoundIsland& island, Index i, At now) {
   Disk& disk = disks_[i];
   number_[i] = static_cast<int>(island.members.size());
   island.members.push_back(i);
-  island.carried.push_back(motion_.carried(disk));
+  island.support.push_back(motion_.support(disk));
   Vec<S> at = motion_.wrapped(motion_.place(disk, now));
   const auto& species = motion_.species(disk);
   S turning = 0;
@@ -138,11 +138,11 @@ void EventLoop<P>::put_in_order(FoundIsland& island) {
   };
   const std::vector<std::size_t> order =
       sorted(island.members.size(), [&](std::size_t one, std::size_t other) {
-        return lies_before(island.places[one], island.places[other]);
+        return precedes_by_place(island.places[one], island.places[other]);
       });
   rearrange(island.members, order);
   rearrange(island.places, order);
-  rearrange(island.carried, order);
+  rearrange(island.support, order);
   rearrange(island.bodies, order);
   std::vector<int> number(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = static_cast<int>(k);
@@ -162,13 +162,13 @@ void EventLoop<P>::put_in_order(FoundIsland& island) {
         const ConeContact& d = island.contacts[other];
         if (c.a != d.a) return c.a < d.a;
         if (c.b != d.b) return c.b < d.b;
-        return lies_before(c.normal, d.normal);
+        return precedes_by_place(c.normal, d.normal);
       });
   rearrange(island.contacts, in_turn);
   rearrange(island.near, in_turn);
 }
 
-// Every member begins the flight that `island` says, as what `carried` says.
+// Every member begins the flight that `island` says, by its `support`.
 template <class P>
 double EventLoop<P>::fly_on(FoundIsland& island, At now) {
   bool moves = false;
@@ -184,23 +184,23 @@ double EventLoop<P>::fly_on(FoundIsland& island, At now) {
     disk.vy = with_plain_zero(island.bodies[m].velocity.y);
     if (!spins_.empty()) spins_[i] = island.bodies[m].turning / motion_.species(disk).radius;
     disk.start = now;
-    motion_.set_carried(disk, island.carried[m]);
+    motion_.set_support(disk, island.support[m]);
     left_[i] = kUnknown;
-    moves = moves || island.carried[m] == kStepped;
+    moves = moves || island.support[m] == kStepped;
   }
   // Of several fixed balls that it touches, the one that lies first, by place.
   std::vector<const Vec<S>*> ways(island.members.size(), nullptr);
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const auto a = static_cast<std::size_t>(island.contacts[k].a);
     const typename FoundIsland::Near& near = island.near[k];
-    if (island.carried[a] >= kResting || !near.touches || near.partner >= kFirstMark) continue;
-    if (ways[a] != nullptr && lies_before(*ways[a], near.r)) continue;
+    if (island.support[a] >= kResting || !near.touches || near.partner >= kFirstMark) continue;
+    if (ways[a] != nullptr && precedes_by_place(*ways[a], near.r)) continue;
     ways[a] = &near.r;
     left_[island.members[a]] = near.partner;
   }
   if (moves) schedule_step(now);
   for (std::size_t m = 0; m < island.members.size(); ++m) {
-    if (island.carried[m] < kResting) update_support(island.members[m]);
+    if (island.support[m] < kResting) update_support(island.members[m]);
   }
   const double lost = book_.keep();
   changed_.insert(changed_.end(), island.members.begin(), island.members.end());

@@ -16,7 +16,7 @@ void EventLoop<P>::step_islands(At now) {
   const Stopwatch stopwatch(true, island_seconds_);
   std::vector<Index> all;
   for (Index i = 0; i < disks_.size(); ++i) {
-    if (!motion_.fixed(disks_[i]) && motion_.carried(disks_[i]) >= kStepped) all.push_back(i);
+    if (!motion_.fixed(disks_[i]) && motion_.support(disks_[i]) >= kStepped) all.push_back(i);
   }
   std::vector<char> stepped(disks_.size(), 0);
   begin_resolution();
@@ -28,8 +28,8 @@ void EventLoop<P>::step_islands(At now) {
     for (const Index m : island.members) stepped[m] = 1;
     step_island(island, now);
   }
-  begin_instant();  // what comes now takes no step back
-  look_again_at_changed(now);
+  begin_simultaneous();  // what comes now takes no step back
+  predict_changed(now);
 }
 
 // What is slow comes to rest only where forces at its contacts hold it: what is pulled moves on. Of
@@ -52,7 +52,7 @@ void EventLoop<P>::hold_still(const FoundIsland& island, DisjointSets& sets,
       if (find(m) != first) continue;
       number[m] = static_cast<int>(bodies.size());
       bodies.push_back({span * g, 0, island.bodies[m].inverse_mass});
-      fresh = fresh || island.carried[m] != kResting;
+      fresh = fresh || island.support[m] != kResting;
     }
     if (!fresh || bodies.size() > kFewHeld) continue;
     std::vector<ConeContact> contacts;
@@ -165,7 +165,7 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
   for (std::size_t m = 0; m < n; ++m) {
     const ConeBody& body = island.bodies[m];
     // A ball that rests already is not woken by what has not been solved to the end.
-    const double most = island.carried[m] == kResting ? 4 * still : still;
+    const double most = island.support[m] == kResting ? 4 * still : still;
     if (std::abs(body.velocity.x) > most || std::abs(body.velocity.y) > most ||
         std::abs(body.turning) > most || loaded[m] == 0) {
       moves[find(m)] = 1;
@@ -188,15 +188,15 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
   for (std::size_t m = 0; m < n; ++m) {
     ConeBody& body = island.bodies[m];
     if (moves[find(m)] == 0) {
-      newly[m] = island.carried[m] != kResting ? 1 : 0;
-      island.carried[m] = kResting;
+      newly[m] = island.support[m] != kResting ? 1 : 0;
+      island.support[m] = kResting;
       body.velocity = {0, 0};
       body.turning = 0;
     } else if (loaded[m] == 0 && approaches[m] == 0 && stay[m] == 0) {
-      island.carried[m] = 0;
+      island.support[m] = 0;
       body = before[m];
     } else {
-      island.carried[m] = kStepped;
+      island.support[m] = kStepped;
     }
   }
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
@@ -215,10 +215,10 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
            motion_.species(disk).inverse_mass);
     // Only walls carry it: it slides on, or rolls, if it does not come to rest.
     if (on_balls[a] != 0 || approaches[a] != 0 || stay[a] != 0) continue;
-    const bool rests = island.carried[a] == kResting && !motion_.elastic();
-    if (island.carried[a] != 0 && !rests) island.bodies[a] = before[a];
+    const bool rests = island.support[a] == kResting && !motion_.elastic();
+    if (island.support[a] != 0 && !rests) island.bodies[a] = before[a];
     (x ? island.bodies[a].velocity.x : island.bodies[a].velocity.y) = 0;
-    island.carried[a] = 0;
+    island.support[a] = 0;
   }
   if (keep_energy(island, had, span)) keep_gaps(island, had, span, goal, loads);
   const double lost = loss_of(island, had, span);

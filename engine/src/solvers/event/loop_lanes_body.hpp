@@ -10,23 +10,23 @@
 namespace carom::event {
 
 template <class P>
-void EventLoop<P>::look_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
-                                 Meeting<P>& best) const requires kInLanes {
+void EventLoop<P>::predict_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
+                                    Meeting<P>& best) const requires kInLanes {
   if constexpr (std::is_same_v<typename P::Law, BallisticLaw<S>>) {
     if (!motion_.bends()) {
-      look_in_lanes_by(StraightLaw<S>{}, i, others, count, now, best);
+      predict_in_lanes_by(StraightLaw<S>{}, i, others, count, now, best);
       return;
     }
   }
   // What the loop does not change, out of the reach of what it calls.
-  look_in_lanes_by(typename P::Law(motion_.law()), i, others, count, now, best);
+  predict_in_lanes_by(typename P::Law(motion_.law()), i, others, count, now, best);
 }
 
 template <class P>
 template <class Law>
-void EventLoop<P>::look_in_lanes_by(const Law& law, Index i, const Index* others,
-                                    std::uint32_t count, At now,
-                                    Meeting<P>& best) const requires kInLanes {
+void EventLoop<P>::predict_in_lanes_by(const Law& law, Index i, const Index* others,
+                                       std::uint32_t count, At now,
+                                       Meeting<P>& best) const requires kInLanes {
   const Disk& me = disks_[i];
   const auto place_of = [](const Disk& disk) { return TwoLanes{disk.x, disk.y}; };
   const auto velocity_of = [](const Disk& disk) { return TwoLanes{disk.vx, disk.vy}; };
@@ -37,7 +37,7 @@ void EventLoop<P>::look_in_lanes_by(const Law& law, Index i, const Index* others
   const Lanes longest = all(static_cast<double>(kLongestFlight));
   const double tick = motion_.rules().scale.tick();
   const double per_second = motion_.rules().scale.per_second();
-  const bool wraps = motion_.room().periodic(0) || motion_.room().periodic(1);
+  const bool wraps = motion_.box().periodic(0) || motion_.box().periodic(1);
   const Lanes period_x = all(motion_.periods()[0]);
   const Lanes period_y = all(motion_.periods()[1]);
   const Lanes half_x = period_x / 2;

@@ -129,19 +129,19 @@ double lost_of(const Stroke<S>& stroke) {
 
 // One line for each time that a contact is hit; friction, which comes first, with its first.
 template <class P>
-void EventLoop<P>::log_joint(const SimultaneousImpact& instant, const JointLog& joint, At now) {
+void EventLoop<P>::log_joint(const SimultaneousImpact& group, const JointLog& joint, At now) {
   const std::uint64_t event = log_->impacts.size() + 1;
   // Where no restitution takes energy, what is held in a gap of zero is all that is lost.
   const bool elastic =
-      std::all_of(instant.contacts.begin(), instant.contacts.end(),
+      std::all_of(group.contacts.begin(), group.contacts.end(),
                   [](const Contact<S>& contact) { return contact.restitution == 1; });
   double held = joint.held;
   std::size_t stops = 0;
-  for (std::size_t k = 0; k < instant.contacts.size(); ++k) {
-    const Contact<S>& contact = instant.contacts[k];
-    const Index i = instant.members[static_cast<std::size_t>(contact.a)];
-    const Index j = contact.b == kWall ? instant.stops[stops++].wall
-                                       : instant.members[static_cast<std::size_t>(contact.b)];
+  for (std::size_t k = 0; k < group.contacts.size(); ++k) {
+    const Contact<S>& contact = group.contacts[k];
+    const Index i = group.members[static_cast<std::size_t>(contact.a)];
+    const Index j = contact.b == kWall ? group.stops[stops++].wall
+                                       : group.members[static_cast<std::size_t>(contact.b)];
     const auto note = [&]() -> Impact& {
       Impact& impact = log_contact(now, i, j, contact.r);
       impact.kind = ImpactKind::joint;

@@ -10,17 +10,17 @@ namespace carom::event {
 
 template <class P>
 void EventLoop<P>::start_resting(At now) {
-  if (!motion_.hops()) return;
+  if (!motion_.contacts_last()) return;
   number_.assign(disks_.size(), -1);
   joins_.assign(disks_.size(), 0);
   for (Index i = 0; i < disks_.size(); ++i) {
     Disk& disk = disks_[i];
     if (motion_.fixed(disk)) continue;
-    const unsigned carried = motion_.carried(disk);
-    if (carried != kLying && carried < kResting && disk.start == now) {
+    const unsigned support = motion_.support(disk);
+    if (support != kLying && support < kResting && disk.start == now) {
       book_.note(motion_.support_on_walls(disk, spin(i)));
     }
-    if (motion_.carried(disk) >= kStepped) schedule_step(now);
+    if (motion_.support(disk) >= kStepped) schedule_step(now);
   }
   book_.keep();
 }
@@ -39,12 +39,12 @@ void EventLoop<P>::schedule_step(At now) {
 template <class P>
 void EventLoop<P>::update_support(Index i) {
   Disk& disk = disks_[i];
-  if (!motion_.hops() || motion_.fixed(disk)) return;
-  const unsigned before = motion_.carried(disk);
+  if (!motion_.contacts_last() || motion_.fixed(disk)) return;
+  const unsigned before = motion_.support(disk);
   book_.note(motion_.support_on_walls(disk, spin(i)));
   const Index fixed_disk = left_[i];
   if (fixed_disk != kUnknown) book_.note(motion_.support_on_fixed_disk(disk, disks_[fixed_disk]));
-  if ((axes_of(motion_.carried(disk)) & ~axes_of(before)) != 0) ++counts_.resting_contacts;
+  if ((axes_of(motion_.support(disk)) & ~axes_of(before)) != 0) ++counts_.resting_contacts;
 }
 
 // What slid along a wall rolls from now on, or slides the other way.
@@ -55,21 +55,21 @@ void EventLoop<P>::settle(Index i, At now) {
   motion_.settle(disks_[i], spins_[i]);
   update_support(i);
   book_.keep();
-  look_again(i, now);
+  predict_again(i, now);
 }
 
 template <class P>
 void EventLoop<P>::wake_around(Index i, At now) {
   // Only collisions let one ball carry another, and only they keep a grid to look into.
-  if (!motion_.hops() || !motion_.rules().collisions) return;
+  if (!motion_.contacts_last() || !motion_.rules().collisions) return;
   const Vec<S> here = motion_.wrapped(motion_.place(disks_[i], now));
   for (const Index j :
        neighbours_.around(static_cast<double>(here.x), static_cast<double>(here.y))) {
     Disk& disk = disks_[j];
-    if (motion_.carried(disk) != kResting && motion_.carried(disk) != kLying) continue;
+    if (motion_.support(disk) != kResting && motion_.support(disk) != kLying) continue;
     const S reach = motion_.species(disks_[i]).radius + motion_.species(disk).radius;
     if (!near(motion_.way(here, motion_.place(disk, now)), reach, S(kNear))) continue;
-    motion_.set_carried(disk, kJoins);
+    motion_.set_support(disk, kJoins);
   }
 }
 

@@ -11,26 +11,26 @@ namespace carom::event {
 inline constexpr std::uint32_t kSideBySide = 16;
 
 template <class P>
-void EventLoop<P>::look_at(Index i, const Index* others, std::uint32_t count, At now,
-                           Meeting<P>& best) const {
+void EventLoop<P>::predict_pairs(Index i, const Index* others, std::uint32_t count, At now,
+                                 Meeting<P>& best) const {
   if constexpr (kInLanes) {
     if (left_.empty()) [[likely]] {
-      look_in_lanes(i, others, count, now, best);
+      predict_in_lanes(i, others, count, now, best);
       return;
     }
   }
-  look_at_mixed(i, others, count, now, best);
+  predict_mixed(i, others, count, now, best);
 }
 
 template <class P>
-[[gnu::noinline]] void EventLoop<P>::look_at_mixed(Index i, const Index* others,
+[[gnu::noinline]] void EventLoop<P>::predict_mixed(Index i, const Index* others,
                                                    std::uint32_t count, At now,
                                                    Meeting<P>& best) const {
-  const auto look_alone_at = [&](Index other) {
+  const auto predict_one = [&](Index other) {
     if (motion_.bends() && motion_.fixed(disks_[other])) {
-      look_at_fixed_disk(i, other, best);
+      predict_fixed_disk(i, other, best);
     } else {
-      look_singly(i, other, now, best);
+      predict_pair(i, other, now, best);
     }
   };
   if constexpr (kInLanes) {
@@ -42,25 +42,25 @@ template <class P>
         if (!motion_.flies(disks_[others[n]])) continue;
         flying[many++] = others[n];
         if (many < kSideBySide) continue;
-        look_in_lanes(i, flying.data(), many, now, best);
+        predict_in_lanes(i, flying.data(), many, now, best);
         many = 0;
       }
-      if (many > 0) look_in_lanes(i, flying.data(), many, now, best);
+      if (many > 0) predict_in_lanes(i, flying.data(), many, now, best);
       for (std::uint32_t n = 0; n < count; ++n) {
-        if (!motion_.flies(disks_[others[n]])) look_alone_at(others[n]);
+        if (!motion_.flies(disks_[others[n]])) predict_one(others[n]);
       }
       return;
     }
   }
-  for (std::uint32_t n = 0; n < count; ++n) look_alone_at(others[n]);
+  for (std::uint32_t n = 0; n < count; ++n) predict_one(others[n]);
 }
 
 template <class P>
-void EventLoop<P>::look_singly(Index i, Index other, At now, Meeting<P>& best) const {
+void EventLoop<P>::predict_pair(Index i, Index other, At now, Meeting<P>& best) const {
   const Disk& disk = disks_[other];
   Time at = motion_.rests()
-                ? motion_.pair_meets(disks_[i], disk, false, std::min(best.time, disk.meets))
-                : motion_.pair_meets(disks_[i], disk);
+                ? motion_.pair_event(disks_[i], disk, false, std::min(best.time, disk.meets))
+                : motion_.pair_event(disks_[i], disk);
   if (at == P::Clock::never()) return;
   if (at < now) at = now;
   if (at == disk.meets && disk.partner != i) note_tie(at, i, other);
@@ -70,16 +70,16 @@ void EventLoop<P>::look_singly(Index i, Index other, At now, Meeting<P>& best) c
 }
 
 template <class P>
-void EventLoop<P>::look_at_fixed_disk(Index i, Index fixed_disk, Meeting<P>& best) const {
+void EventLoop<P>::predict_fixed_disk(Index i, Index fixed_disk, Meeting<P>& best) const {
   const Time at =
-      motion_.pair_meets(disks_[i], disks_[fixed_disk], !left_.empty() && left_[i] == fixed_disk);
+      motion_.pair_event(disks_[i], disks_[fixed_disk], !left_.empty() && left_[i] == fixed_disk);
   if (at == best.time && at != P::Clock::never()) note_tie(at, i, i);
   if (at < best.time) best = {at, fixed_disk};
 }
 
 // Looks no farther than its square, for then it looks again.
 template <class P>
-void EventLoop<P>::look_alone(Index i, Meeting<P>& best) const {
+void EventLoop<P>::predict_alone(Index i, Meeting<P>& best) const {
   const Disk& me = disks_[i];
   const Meeting<P> alone = motion_.alone(me, std::min(best.time, me.leaves), spin(i));
   const bool known = alone.partner == me.partner;
@@ -89,13 +89,13 @@ void EventLoop<P>::look_alone(Index i, Meeting<P>& best) const {
 
 // Finds what the ball meets before `meets`, which is no more than a time it is free until.
 template <class P>
-void EventLoop<P>::scan(Index i, At now) {
+void EventLoop<P>::predict(Index i, At now) {
   const Disk& me = disks_[i];
   if (motion_.fixed(me)) return;
-  ++counts_.scans;
+  ++counts_.predictions;
   Meeting<P> best{me.meets, kUnknown};
-  const bool carried = motion_.hops() && !motion_.flies(me);
-  if (carried) {
+  const bool support = motion_.contacts_last() && !motion_.flies(me);
+  if (support) {
     // First, as it leaves less to look for.
     const Meeting<P> alone = motion_.alone(me, P::Clock::never(), spin(i));
     if (alone.time < best.time) best = alone;
@@ -103,11 +103,11 @@ void EventLoop<P>::scan(Index i, At now) {
   if (motion_.rules().collisions) {
     const auto& lists = neighbours_.lists();
     for (const auto* node = &lists.first(i);; node = &lists.after(*node)) {
-      look_at(i, node->item, node->count, now, best);
+      predict_pairs(i, node->item, node->count, now, best);
       if (node->next == 0) break;
     }
   }
-  if (!carried) look_alone(i, best);
+  if (!support) predict_alone(i, best);
   if (best.time < now) best.time = now;
   link(i, best);
 }

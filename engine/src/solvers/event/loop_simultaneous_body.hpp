@@ -19,18 +19,18 @@ template <class P>
 void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<Pair>& joint,
                                     At now) {
   // Of all of them it is not known any more what they meet next.
-  std::vector<Index> looked_for;
+  std::vector<Index> to_predict;
   for (const Pair& pair : joint) {
     if (!is_linked(pair.first, pair.second)) linked_.push_back(pair);
     for (const Index k : {pair.first, pair.second}) {
-      if (moves(k) && std::find(looked_for.begin(), looked_for.end(), k) == looked_for.end()) {
-        looked_for.push_back(k);
+      if (moves(k) && std::find(to_predict.begin(), to_predict.end(), k) == to_predict.end()) {
+        to_predict.push_back(k);
       }
     }
   }
   const std::size_t links = linked_.size();
   linked_.insert(linked_.end(), alone.begin(), alone.end());
-  std::vector<SimultaneousImpact> groups = groups_of(looked_for, now);
+  std::vector<SimultaneousImpact> groups = groups_of(to_predict, now);
   linked_.resize(links);
   std::erase_if(alone, [&](const Pair& pair) {
     const bool found =
@@ -40,14 +40,14 @@ void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<P
     if (!found) return false;
     linked_.push_back(pair);
     for (const Index k : {pair.first, pair.second}) {
-      if (moves(k)) looked_for.push_back(k);
+      if (moves(k)) to_predict.push_back(k);
     }
     return true;
   });
   std::vector<std::vector<Index>> islands;
   std::vector<SimultaneousImpact> others;
   for (SimultaneousImpact& group : groups) {
-    if (!motion_.hops() || !is_of_island(group, now)) {
+    if (!motion_.contacts_last() || !is_of_island(group, now)) {
       others.push_back(std::move(group));
       continue;
     }
@@ -55,7 +55,7 @@ void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<P
     std::copy_if(group.members.begin(), group.members.end(), std::back_inserter(island),
                  [this](Index m) { return !motion_.fixed(disks_[m]); });
   }
-  if (motion_.hops()) {
+  if (motion_.contacts_last()) {
     std::erase_if(alone, [&](const Pair& pair) {
       if (!is_hit_of_island(pair.first, pair.second, now)) return false;
       std::vector<Index>& island = islands.emplace_back();
@@ -82,7 +82,7 @@ void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<P
   std::erase_if(alone, [&](const Pair& pair) { return is_taken({pair.first, pair.second}); });
   for (SimultaneousImpact& group : others) {
     begin_resolution();
-    resolve_group(group, looked_for, now);
+    resolve_group(group, to_predict, now);
     end_resolution();
   }
   for (const auto& [i, partner] : alone) resolve_alone(i, partner, now);
@@ -144,11 +144,11 @@ void EventLoop<P>::wait_for_all_that_are_met(At now) {
       const Disk& disk = disks_[i];
       for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
         if (!motion_.rules().domain.solid((wall - kWalls) / 2)) continue;
-        if (motion_.wall_meets(disk, wall) <= now) add(i, wall);
+        if (motion_.wall_event(disk, wall) <= now) add(i, wall);
       }
       if (!motion_.rules().collisions) continue;
       neighbours_.lists().each(i, [&](Index j) {
-        if (pair_meets(i, j, now) <= now) add(i, j);
+        if (pair_event(i, j, now) <= now) add(i, j);
       });
     }
   }
@@ -156,7 +156,7 @@ void EventLoop<P>::wait_for_all_that_are_met(At now) {
 
 template <class P>
 void EventLoop<P>::resolve_waiting() {
-  const auto now = instant_;
+  const auto now = impact_time_;
   if (!past_.empty()) wait_for_all_that_are_met(now);
   for (const auto& [i, partner] : waiting_) {
     count_hit(i);
@@ -165,10 +165,10 @@ void EventLoop<P>::resolve_waiting() {
   if (waiting_.size() == 1) {
     const auto [i, partner] = waiting_.front();
     const std::optional<bool> joint = is_joint(i, partner, now);
-    if (joint && !*joint && !(motion_.hops() && is_hit_of_island(i, partner, now))) {
+    if (joint && !*joint && !(motion_.contacts_last() && is_hit_of_island(i, partner, now))) {
       waiting_.clear();
       resolve_alone(i, partner, now);
-      look_again_at_changed(now);
+      predict_changed(now);
       return;
     }
   }
@@ -197,100 +197,99 @@ void EventLoop<P>::resolve_waiting() {
     return true;
   });
   resolve_together(std::move(alone), joint, now);
-  look_again_at_changed(now);
+  predict_changed(now);
 }
 
 // Of several fixed balls that it touches the flight began at the one that lies first, by place.
 template <class P>
-void EventLoop<P>::note_left(const SimultaneousImpact& instant, At now) {
-  std::vector<const Vec<S>*> ways(instant.members.size(), nullptr);
-  for (const Contact<S>& contact : instant.contacts) {
+void EventLoop<P>::note_left(const SimultaneousImpact& group, At now) {
+  std::vector<const Vec<S>*> ways(group.members.size(), nullptr);
+  for (const Contact<S>& contact : group.contacts) {
     if (contact.b == kWall) continue;
     const auto a = static_cast<std::size_t>(contact.a);
-    const Index b = instant.members[static_cast<std::size_t>(contact.b)];
-    const Index ball = instant.members[a];
+    const Index b = group.members[static_cast<std::size_t>(contact.b)];
+    const Index ball = group.members[a];
     if (!motion_.fixed(disks_[b]) || disks_[ball].start != now) continue;
     const Vec<S>* first = ways[a];
     const Vec<S>& r = contact.r;
-    if (first != nullptr && lies_before(*first, r)) continue;
+    if (first != nullptr && precedes_by_place(*first, r)) continue;
     ways[a] = &r;
     left_[ball] = b;
   }
 }
 
 template <class P>
-void EventLoop<P>::resolve_group(SimultaneousImpact& instant, const std::vector<Index>& looked_for,
+void EventLoop<P>::resolve_group(SimultaneousImpact& group, const std::vector<Index>& to_predict,
                                  At now) {
-  for (const Index m : instant.members) remember(m);
+  for (const Index m : group.members) remember(m);
   // Nothing else touches: it is an impact like others, however it came to be looked at.
-  if (instant.contacts.size() == 1 && instant.members.size() < 3) {
-    const Contact<S>& contact = instant.contacts.front();
-    const Index i = instant.members[static_cast<std::size_t>(contact.a)];
-    const Index partner = contact.b == kWall ? instant.stops.front().wall
-                                             : instant.members[static_cast<std::size_t>(contact.b)];
+  if (group.contacts.size() == 1 && group.members.size() < 3) {
+    const Contact<S>& contact = group.contacts.front();
+    const Index i = group.members[static_cast<std::size_t>(contact.a)];
+    const Index partner = contact.b == kWall ? group.stops.front().wall
+                                             : group.members[static_cast<std::size_t>(contact.b)];
     meet_and_note(i, partner, now);
     return;
   }
 
   std::size_t stops = 0;
-  for (const Contact<S>& contact : instant.contacts) {
-    const Index other = contact.b == kWall ? instant.stops[stops++].wall
-                                           : instant.members[static_cast<std::size_t>(contact.b)];
-    resolved_.push_back({instant.members[static_cast<std::size_t>(contact.a)], other});
+  for (const Contact<S>& contact : group.contacts) {
+    const Index other = contact.b == kWall ? group.stops[stops++].wall
+                                           : group.members[static_cast<std::size_t>(contact.b)];
+    resolved_.push_back({group.members[static_cast<std::size_t>(contact.a)], other});
   }
-  const std::vector<Body<S>> before = instant.bodies;
-  const std::vector<S> spins_before = instant.spins;
+  const std::vector<Body<S>> before = group.bodies;
+  const std::vector<S> spins_before = group.spins;
   ++counts_.joint_impacts;
   JointLog joint;
-  const JointReport report = resolve(instant, log_ != nullptr ? &joint : nullptr);
+  const JointReport report = resolve(group, log_ != nullptr ? &joint : nullptr);
   const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;
-  if (log_ != nullptr) log_joint(instant, joint, now);
+  if (log_ != nullptr) log_joint(group, joint, now);
   const auto walls = static_cast<std::uint64_t>(report.walls);
   const auto balls = static_cast<std::uint64_t>(report.impacts);
   counts_.ball_wall += walls;
   counts_.ball_ball += balls;
-  counts_.jammed +=
-      gives_up() ? instant.contacts.size() : static_cast<std::uint64_t>(report.jammed);
+  counts_.jammed += gives_up() ? group.contacts.size() : static_cast<std::uint64_t>(report.jammed);
   book_.note(report.lost);
   double lost = book_.keep();
 
   std::vector<Index> changed;
-  for (std::size_t k = 0; k < instant.members.size(); ++k) {
-    const Index m = instant.members[k];
+  for (std::size_t k = 0; k < group.members.size(); ++k) {
+    const Index m = group.members[k];
     Disk& disk = disks_[m];
     if (motion_.fixed(disk)) continue;
-    bool same = before[k].velocity == instant.bodies[k].velocity;
-    if (!spins_.empty()) same = same && spins_before[k] == instant.spins[k];
-    const bool looks = std::find(looked_for.begin(), looked_for.end(), m) != looked_for.end();
+    bool same = before[k].velocity == group.bodies[k].velocity;
+    if (!spins_.empty()) same = same && spins_before[k] == group.spins[k];
+    const bool looks = std::find(to_predict.begin(), to_predict.end(), m) != to_predict.end();
     if (same && !looks) continue;
     unlink(m);
     forget(m);
     changed.push_back(m);
     if (same) continue;
-    disk.x = instant.places[k].x;
-    disk.y = instant.places[k].y;
-    disk.vx = with_plain_zero(instant.bodies[k].velocity.x);
-    disk.vy = with_plain_zero(instant.bodies[k].velocity.y);
-    if (!spins_.empty()) spins_[m] = instant.spins[k];
+    disk.x = group.places[k].x;
+    disk.y = group.places[k].y;
+    disk.vx = with_plain_zero(group.bodies[k].velocity.x);
+    disk.vy = with_plain_zero(group.bodies[k].velocity.y);
+    if (!spins_.empty()) spins_[m] = group.spins[k];
     disk.start = now;
     if (!left_.empty() && !same) left_[m] = kUnknown;
   }
-  for (const typename SimultaneousImpact::Stop& stop : instant.stops) {
-    Disk& disk = disks_[instant.members[stop.member]];
+  for (const typename SimultaneousImpact::Stop& stop : group.stops) {
+    Disk& disk = disks_[group.members[stop.member]];
     // To move the others would take the energy of their height.
     if (disk.start != now || !stop.meets) continue;
     const S at = motion_.wall(disk, {disk.x, disk.y}, stop.wall).stop;
     (stop.wall - kWalls < 2 ? disk.x : disk.y) = at;
   }
-  if (!left_.empty()) note_left(instant, now);
+  if (!left_.empty()) note_left(group, now);
   for (const Index m : changed) update_support(m);
   lost += book_.keep();
   log_loss(first_line, lost);
   if (motion_.clusters()) {
-    for (const Contact<S>& contact : instant.contacts) {
+    for (const Contact<S>& contact : group.contacts) {
       if (contact.b == kWall || contact.restitution == 1) continue;
-      const Disk& a = disks_[instant.members[static_cast<std::size_t>(contact.a)]];
-      const Disk& b = disks_[instant.members[static_cast<std::size_t>(contact.b)]];
+      const Disk& a = disks_[group.members[static_cast<std::size_t>(contact.a)]];
+      const Disk& b = disks_[group.members[static_cast<std::size_t>(contact.b)]];
       if (a.start == now && b.start == now && motion_.stay_together(a, b)) {
         ++counts_.resting_contacts;
       }

@@ -44,9 +44,9 @@ bool EventLoop<P>::tied(Index i, Index partner, At now) {
 }
 
 template <class P>
-auto EventLoop<P>::pair_meets(Index i, Index j, At now) const -> Time {
+auto EventLoop<P>::pair_event(Index i, Index j, At now) const -> Time {
   const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
-  return motion_.pair_meets(disks_[i], disks_[j], from_contact, now);
+  return motion_.pair_event(disks_[i], disks_[j], from_contact, now);
 }
 
 // Whether the ball meets something else at this instant, too.
@@ -55,13 +55,13 @@ bool EventLoop<P>::meets_another(Index i, Index partner, At now) const {
   const Disk& disk = disks_[i];
   for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
     if (wall == partner || !motion_.rules().domain.solid((wall - kWalls) / 2)) continue;
-    if (motion_.wall_meets(disk, wall) <= now) return true;
+    if (motion_.wall_event(disk, wall) <= now) return true;
   }
   if (!motion_.rules().collisions) return false;
   bool meets = false;
   neighbours_.lists().each(i, [&](Index j) {
     if (meets || j == partner) return;
-    meets = pair_meets(i, j, now) <= now;
+    meets = pair_event(i, j, now) <= now;
   });
   return meets;
 }
@@ -77,16 +77,16 @@ bool EventLoop<P>::touch(Index i, Index j, At now, const Vec<S>& r) const {
       motion_.collapses(a, b, now)) {
     return true;
   }
-  return pair_meets(i, j, now) == now;
+  return pair_event(i, j, now) == now;
 }
 
 template <class P>
-void EventLoop<P>::add_member(SimultaneousImpact& instant, Index i, At now) const {
+void EventLoop<P>::add_member(SimultaneousImpact& group, Index i, At now) const {
   const Disk& disk = disks_[i];
-  instant.members.push_back(i);
-  instant.places.push_back(motion_.wrapped(motion_.place(disk, now)));
-  instant.bodies.push_back({motion_.velocity(disk, now), motion_.species(disk).inverse_mass});
-  if (!spins_.empty()) instant.spins.push_back(motion_.spin_at(disk, spins_[i], now));
+  group.members.push_back(i);
+  group.places.push_back(motion_.wrapped(motion_.place(disk, now)));
+  group.bodies.push_back({motion_.velocity(disk, now), motion_.species(disk).inverse_mass});
+  if (!spins_.empty()) group.spins.push_back(motion_.spin_at(disk, spins_[i], now));
 }
 
 template <class P>
@@ -96,7 +96,7 @@ bool EventLoop<P>::is_late(Index i, At now) {
   for (const Past& past : past_) {
     const Disk& other = past.disk;
     const bool meets =
-        motion_.pair_meets(me, other, false, now) <= now && motion_.rules().collisions;
+        motion_.pair_event(me, other, false, now) <= now && motion_.rules().collisions;
     if (!meets) continue;
     forget(i);
     waiting_.push_back({i, past.ball});
@@ -122,41 +122,41 @@ bool EventLoop<P>::is_resolved(Index i, Index j) const {
 }
 
 template <class P>
-void EventLoop<P>::add_contact(SimultaneousImpact& instant, std::size_t member, Index j, At now,
+void EventLoop<P>::add_contact(SimultaneousImpact& group, std::size_t member, Index j, At now,
                                bool meets) {
-  const Index i = instant.members[member];
-  const std::size_t other = instant.find(j);
-  const bool known = other < instant.members.size();
-  const Vec<S> there =
-      known ? instant.places[other] : motion_.wrapped(motion_.place(disks_[j], now));
-  const Vec<S> r = motion_.way(instant.places[member], there);
+  const Index i = group.members[member];
+  const std::size_t other = group.find(j);
+  const bool known = other < group.members.size();
+  const Vec<S> there = known ? group.places[other] : motion_.wrapped(motion_.place(disks_[j], now));
+  const Vec<S> r = motion_.way(group.places[member], there);
   if (!meets && !touch(i, j, now, r)) return;
-  if (!known) add_member(instant, j, now);
+  if (!known) add_member(group, j, now);
   // What touches an island is resolved with it.
-  if (motion_.hops() && (motion_.in_island(disks_[i]) || motion_.in_island(disks_[j]))) return;
+  if (motion_.contacts_last() && (motion_.in_island(disks_[i]) || motion_.in_island(disks_[j])))
+    return;
   // Each pair once: with the later of its balls, or the one that is not fixed.
   if (other > member && !motion_.fixed(disks_[j])) return;
-  instant.contacts.push_back({static_cast<int>(member), static_cast<int>(other), r,
-                              S(gives_up() ? 0 : motion_.rules().restitution)});
+  group.contacts.push_back({static_cast<int>(member), static_cast<int>(other), r,
+                            S(gives_up() ? 0 : motion_.rules().restitution)});
 }
 
 template <class P>
-void EventLoop<P>::add_contacts(SimultaneousImpact& instant, std::size_t member, At now) {
-  const Index i = instant.members[member];
+void EventLoop<P>::add_contacts(SimultaneousImpact& group, std::size_t member, At now) {
+  const Index i = group.members[member];
   const Disk& disk = disks_[i];
   const auto& rules = motion_.rules();
   if (motion_.fixed(disk)) return;
-  const bool in_island = motion_.hops() && motion_.in_island(disk);
+  const bool in_island = motion_.contacts_last() && motion_.in_island(disk);
   for (Index wall = kWalls; wall < kWalls + 4 && !in_island; ++wall) {
     if (!rules.domain.solid((wall - kWalls) / 2)) continue;
-    const S gap = motion_.wall(disk, instant.places[member], wall).gap;
+    const S gap = motion_.wall(disk, group.places[member], wall).gap;
     const bool near = jams_ > 0 && !(gap > 2 * motion_.species(disk).radius * jam_gap());
-    const bool meets = !(gap > 0) || motion_.wall_meets(disk, wall) == now || is_linked(i, wall);
+    const bool meets = !(gap > 0) || motion_.wall_event(disk, wall) == now || is_linked(i, wall);
     if (!meets && !near) continue;
     const S side = wall % 2 == kWalls % 2 ? -1 : 1;
     const Vec<S> towards = wall - kWalls < 2 ? Vec<S>{side, S(0)} : Vec<S>{S(0), side};
-    instant.stops.push_back({member, wall, meets});
-    instant.contacts.push_back(
+    group.stops.push_back({member, wall, meets});
+    group.contacts.push_back(
         {static_cast<int>(member), kWall, towards, S(gives_up() ? 0 : rules.wall_restitution)});
   }
   if (!rules.collisions) return;
@@ -171,48 +171,46 @@ void EventLoop<P>::add_contacts(SimultaneousImpact& instant, std::size_t member,
     const auto known = std::find(linked.begin(), linked.end(), j);
     const bool meets = known != linked.end();
     if (meets) linked.erase(known);
-    add_contact(instant, member, j, now, meets);
+    add_contact(group, member, j, now, meets);
   });
-  for (const Index j : linked) add_contact(instant, member, j, now, true);
+  for (const Index j : linked) add_contact(group, member, j, now, true);
 }
 
 // Whether one of an island touches, two cling to each other, or they are too many.
 template <class P>
-bool EventLoop<P>::is_of_island(const SimultaneousImpact& instant, At now) const {
+bool EventLoop<P>::is_of_island(const SimultaneousImpact& group, At now) const {
   // Elastic ones part again.
-  if (motion_.rules().restitution < 1 && instant.contacts.size() > kManyContacts) return true;
-  for (const Index m : instant.members) {
+  if (motion_.rules().restitution < 1 && group.contacts.size() > kManyContacts) return true;
+  for (const Index m : group.members) {
     if (motion_.in_island(disks_[m])) return true;
   }
-  return std::any_of(instant.contacts.begin(), instant.contacts.end(),
-                     [&](const Contact<S>& contact) {
-                       if (contact.b == kWall) return false;
-                       const auto a = static_cast<std::size_t>(contact.a);
-                       const auto b = static_cast<std::size_t>(contact.b);
-                       const Vec<S> v = instant.bodies[b].velocity - instant.bodies[a].velocity;
-                       return !(sharp_dot(contact.r, v) > 0) &&
-                              motion_.sticks(disks_[instant.members[a]], disks_[instant.members[b]],
-                                             contact.r, now);
-                     });
+  return std::any_of(group.contacts.begin(), group.contacts.end(), [&](const Contact<S>& contact) {
+    if (contact.b == kWall) return false;
+    const auto a = static_cast<std::size_t>(contact.a);
+    const auto b = static_cast<std::size_t>(contact.b);
+    const Vec<S> v = group.bodies[b].velocity - group.bodies[a].velocity;
+    return !(sharp_dot(contact.r, v) > 0) &&
+           motion_.sticks(disks_[group.members[a]], disks_[group.members[b]], contact.r, now);
+  });
 }
 
 template <class P>
 auto EventLoop<P>::touching(std::vector<Index>& seeds, At now) -> SimultaneousImpact {
-  SimultaneousImpact instant;
-  add_member(instant, seeds.front(), now);
-  for (std::size_t k = 0; k < instant.members.size(); ++k) add_contacts(instant, k, now);
-  const auto found = [&](Index seed) { return instant.find(seed) < instant.members.size(); };
+  SimultaneousImpact group;
+  add_member(group, seeds.front(), now);
+  for (std::size_t k = 0; k < group.members.size(); ++k) add_contacts(group, k, now);
+  const auto found = [&](Index seed) { return group.find(seed) < group.members.size(); };
   seeds.erase(std::remove_if(seeds.begin(), seeds.end(), found), seeds.end());
-  return instant;
+  return group;
 }
 
 // The groups of balls that touch, from these on. What has been resolved at this instant, and now
 // shares a ball with more, is taken back: its balls are looked for, too.
 template <class P>
-auto EventLoop<P>::groups_of(std::vector<Index>& looked_for, At now)
+auto EventLoop<P>::groups_of(std::vector<Index>& to_predict, At now)
     -> std::vector<SimultaneousImpact> {
   for (;;) {
-    std::vector<Index> seeds = looked_for;
+    std::vector<Index> seeds = to_predict;
     std::vector<SimultaneousImpact> groups;
     std::vector<Index> past;
     while (!seeds.empty()) {
@@ -224,8 +222,8 @@ auto EventLoop<P>::groups_of(std::vector<Index>& looked_for, At now)
     if (past.empty()) return groups;
     take_back(past);
     for (const Index k : past) {
-      if (std::find(looked_for.begin(), looked_for.end(), k) == looked_for.end()) {
-        looked_for.push_back(k);
+      if (std::find(to_predict.begin(), to_predict.end(), k) == to_predict.end()) {
+        to_predict.push_back(k);
       }
     }
   }

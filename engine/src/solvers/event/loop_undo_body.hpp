@@ -11,7 +11,7 @@ namespace carom::event {
 // taken back, and nothing else.
 
 template <class P>
-void EventLoop<P>::begin_instant() {
+void EventLoop<P>::begin_simultaneous() {
   for (const Past& past : past_) resolution_of_[past.ball] = -1;
   past_.clear();
   resolutions_.clear();
@@ -19,7 +19,7 @@ void EventLoop<P>::begin_instant() {
   hit_.clear();
   linked_.clear();
   resolved_.clear();
-  book_.begin_instant();
+  book_.begin_simultaneous();
   keep_slides();
 }
 

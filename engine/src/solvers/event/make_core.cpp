@@ -38,7 +38,7 @@ bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
   if (scene.continuation && scene.continuation->rests) return true;
   if (loses_energy(scene)) return true;
   if (!scene.effects.gravity) return false;
-  if (scene.effects.drag) return true;  // it makes every hop shorter
+  if (scene.effects.drag) return true;  // it makes every bounce shorter
   const Vec2& g = scene.effects.gravity->acceleration;
   if (scene.effects.friction &&
       friction_in_corners(scene.effects.friction->walls, {g.x(), g.y()})) {

@@ -11,8 +11,8 @@
 #include "solvers/event/disk.hpp"
 #include "solvers/event/lanes.hpp"
 #include "solvers/event/physics.hpp"
-#include "solvers/event/room.hpp"
 #include "solvers/event/rules.hpp"
+#include "solvers/event/solver_box.hpp"
 #include "trajectory/pair_time.hpp"
 
 namespace carom::event {
@@ -38,12 +38,12 @@ Vec<double> in_double(const Vec<S>& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
 
-/// The axes along which walls carry what is carried so: 1 for x, 2 for y.
-inline unsigned axes_of(unsigned carried) {
-  if (carried <= kLying) return carried;
-  if (carried < kRolls) return 1U << ((carried - kSlides) / 2);
-  if (carried < kSpins) return 1U << (carried - kRolls);
-  return carried == kSpins ? kLying : 0U;
+/// The axes along which walls support what has this support: 1 for x, 2 for y.
+inline unsigned axes_of(unsigned support) {
+  if (support <= kLying) return support;
+  if (support < kRolls) return 1U << ((support - kSlides) / 2);
+  if (support < kSpins) return 1U << (support - kRolls);
+  return support == kSpins ? kLying : 0U;
 }
 
 /// Flights and impacts: pure functions of one flight or two.
@@ -73,15 +73,15 @@ class Motion {
   /// When two balls meet; one of them may be fixed.  `from_contact`: the flight of the one that is
   /// not fixed began with an impact of the two.
   /// May say never for a meeting after `until`.
-  [[nodiscard]] Time pair_meets(const Disk& a, const Disk& b, bool from_contact = false,
+  [[nodiscard]] Time pair_event(const Disk& a, const Disk& b, bool from_contact = false,
                                 At until = P::Clock::never()) const;
-  /// The same bits where flights are straight and neither ball is fixed or carried, quickly.
-  [[nodiscard, gnu::always_inline]] Time straight_pair_meets(const Disk& a, const Disk& b) const {
+  /// The same bits where flights are straight and neither ball is fixed or supported, quickly.
+  [[nodiscard, gnu::always_inline]] Time straight_pair_event(const Disk& a, const Disk& b) const {
     const bool swap = b.start < a.start;
     const Disk& earlier = swap ? b : a;
     const Disk& later = swap ? a : b;
     const S elapsed = rules_.scale.seconds(later.start - earlier.start);
-    const std::array<S, 2>& periods = room_.periods();
+    const std::array<S, 2>& periods = box_.periods();
     const S x = multiply_add(S(-earlier.vx), elapsed, S(later.x - earlier.x));
     const S y = multiply_add(S(-earlier.vy), elapsed, S(later.y - earlier.y));
     const Vec<S> r{nearest(x, periods[0], S(periods[0] / 2)),
@@ -133,17 +133,17 @@ class Motion {
 
   [[nodiscard]] const Rules& rules() const { return rules_; }
   [[nodiscard]] const typename P::Law& law() const { return law_; }
-  [[nodiscard]] const Room<S>& room() const { return room_; }
+  [[nodiscard]] const SolverBox<S>& box() const { return box_; }
   [[nodiscard]] const Species& species(const Disk& disk) const {
     return rules_.all_species[disk.species];
   }
   [[nodiscard]] bool fixed(const Disk& disk) const { return species(disk).fixed(); }
   [[nodiscard]] bool one_species() const { return plain_species_ == 1; }
   [[nodiscard]] double largest_radius() const { return largest_radius_; }
-  [[nodiscard]] const std::array<S, 2>& periods() const { return room_.periods(); }
+  [[nodiscard]] const std::array<S, 2>& periods() const { return box_.periods(); }
   /// How far along an axis a flight may go before it starts again; infinite where it may go on.
   [[nodiscard]] S farthest(std::size_t axis) const {
-    return room_.periodic(axis) ? reach_[axis] : never<S>();
+    return box_.periodic(axis) ? reach_[axis] : never<S>();
   }
 
   /// Gravity or drag acts.
@@ -151,7 +151,7 @@ class Motion {
   /// Contacts come to rest, as impacts lose energy or balls lie still.
   [[nodiscard]] bool rests() const { return rests_; }
   /// Gravity presses balls together whose contacts can come to rest.
-  [[nodiscard]] bool hops() const { return rests_ && pull_ > 0; }
+  [[nodiscard]] bool contacts_last() const { return rests_ && pull_ > 0; }
   /// Balls lose energy that nothing presses together.
   [[nodiscard]] bool clusters() const { return rests_ && !(pull_ > 0); }
   /// Nothing loses energy along a normal: contacts rest only where nothing moves along it.
@@ -170,7 +170,7 @@ class Motion {
     if (disk.species < plain_species_) [[likely]] {
       return law_;
     }
-    return carried_laws_[species(disk).carried];
+    return supported_laws_[species(disk).support];
   }
 
   /// The answer of the law that the ball flies by.
@@ -189,26 +189,26 @@ class Motion {
   };
   [[nodiscard]] Wall wall(const Disk& disk, const Vec<S>& at, Index wall) const;
   /// When it meets this wall.
-  [[nodiscard]] Time wall_meets(const Disk& disk, Index wall) const;
+  [[nodiscard]] Time wall_event(const Disk& disk, Index wall) const;
 
   /// Whether an impact of the two is one of ever more in ever less time; one may be fixed.
   [[nodiscard]] bool jammed(const Disk& a, const Disk& b, At now) const;
 
   // Contacts that rest, where rests(): motion_rest_body.hpp.
   /// What carries it: the axes along which walls do, 1 for x, 2 for y, or one of the above.
-  [[nodiscard]] unsigned carried(const Disk& disk) const { return species(disk).carried; }
-  void set_carried(Disk& disk, unsigned axes) const {
+  [[nodiscard]] unsigned support(const Disk& disk) const { return species(disk).support; }
+  void set_support(Disk& disk, unsigned axes) const {
     disk.species = static_cast<Index>(disk.species % plain_species_ + axes * plain_species_);
   }
   /// It is one of an island.
-  [[nodiscard]] bool in_island(const Disk& disk) const { return carried(disk) >= kResting; }
+  [[nodiscard]] bool in_island(const Disk& disk) const { return support(disk) >= kResting; }
   /// It has been looked at together with those of its island that are near.
   [[nodiscard]] bool stepped(const Disk& disk) const {
-    return carried(disk) == kResting || carried(disk) == kStepped;
+    return support(disk) == kResting || support(disk) == kStepped;
   }
   /// Lets walls carry it where it touches them, is pressed to them and leaves them no more; on one
   /// with friction it slides or rolls.
-  /// Gives the energy of the hops that it no longer does.
+  /// Gives the energy of the bounces that it no longer does.
   double support_on_walls(Disk& disk, S* spin) const;
   /// At the end of its slide: the spin of what rolls.
   void settle(const Disk& disk, S& spin) const;
@@ -236,7 +236,7 @@ class Motion {
   /// in an acceleration of 1: drag slows it.
   [[nodiscard]] double stepped_way(const S& seconds) const {
     const Flight<S> flight{{S(0), S(0)}, {S(1), S(0)}};
-    return static_cast<double>(carried_laws_[kLying].displacement(flight, seconds).x);
+    return static_cast<double>(supported_laws_[kLying].displacement(flight, seconds).x);
   }
   /// The energy that gravity has given to what is stepped ahead of what it falls until the next
   /// step.
@@ -255,8 +255,8 @@ class Motion {
   }
 
  private:
-  void add_carried_kinds();
-  void add_carried_laws();
+  void add_supported_species();
+  void add_supported_laws();
   /// A ball on one wall with friction, and how it moves along it.
   struct Track {
     std::size_t along;  ///< axis
@@ -273,10 +273,10 @@ class Motion {
   };
   [[nodiscard]] Corner corner(const Disk& disk, const S& spin) const;
   [[nodiscard]] bool slides(const Disk& disk) const {
-    return carried(disk) >= kSlides && carried(disk) < kRolls;
+    return support(disk) >= kSlides && support(disk) < kRolls;
   }
   /// Which way it slides: 1 or -1.
-  [[nodiscard]] int slide_sign(const Disk& disk) const { return carried(disk) % 2 == 1 ? 1 : -1; }
+  [[nodiscard]] int slide_sign(const Disk& disk) const { return support(disk) % 2 == 1 ? 1 : -1; }
   /// How long it slides on.
   [[nodiscard]] S slide_wait(const Disk& disk, const S& spin) const;
   /// When two meet whose speeds fade at different rates.
@@ -289,7 +289,7 @@ class Motion {
   /// Whether the step of their island has seen to it that they do not meet before the next one.
   [[nodiscard]] bool stepped_together(const Disk& a, const Disk& b) const;
   /// Something carries it that can: a wall, or an island.
-  [[nodiscard]] bool lies_on_something(const Disk& disk) const;
+  [[nodiscard]] bool has_support(const Disk& disk) const;
   /// Whether it all but touches a wall.
   [[nodiscard]] bool is_at_wall(const Disk& disk, At now) const;
   [[nodiscard]] bool just_hit(const Disk& disk, const S& reach, const S& speed, At now,
@@ -305,7 +305,7 @@ class Motion {
 
   Rules rules_;
   typename P::Law law_;
-  Room<S> room_;
+  SolverBox<S> box_;
   std::array<S, 2> reach_;  ///< how far along a periodic axis a flight may go
   /// What it can meet alone, in lanes: sides that are there, and how far a flight may go.
   TwoLanes low_side_{};
@@ -314,7 +314,7 @@ class Motion {
   bool bends_ = false;
   bool rests_ = false;
   bool elastic_ = false;
-  std::vector<typename P::Law> carried_laws_;  ///< by what carries
+  std::vector<typename P::Law> supported_laws_;  ///< by what carries
   double largest_radius_ = 0;
   std::size_t plain_species_ = 1;  ///< without what carries them
   S pull_ = 0;                     ///< gravity's size

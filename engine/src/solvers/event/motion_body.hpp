@@ -23,7 +23,7 @@ template <class P>
 Motion<P>::Motion(Rules rules)
     : rules_(std::move(rules)),
       law_(P::law(rules_)),
-      room_(rules_.domain),
+      box_(rules_.domain),
       bends_(law_.bends() || rules_.falls),
       rests_(rules_.rests) {
   S largest = 0;
@@ -32,10 +32,10 @@ Motion<P>::Motion(Rules rules)
     const S period = rules_.domain.period[axis];
     // Two balls whose nearest images do not meet while each goes this far meet in no other image.
     reach_[axis] = std::min(S(period / 8), S((period / 2 - 2 * largest) * 0.4375));
-    const bool solid = room_.solid(axis);
+    const bool solid = box_.solid(axis);
     low_side_[axis] = solid ? rules_.domain.lower[axis] : -never<double>();
     high_side_[axis] = solid ? rules_.domain.upper[axis] : never<double>();
-    farthest_[axis] = room_.periodic(axis) ? static_cast<double>(reach_[axis]) : never<double>();
+    farthest_[axis] = box_.periodic(axis) ? static_cast<double>(reach_[axis]) : never<double>();
   }
   largest_radius_ = static_cast<double>(largest);
   plain_species_ = rules_.all_species.size();
@@ -43,7 +43,7 @@ Motion<P>::Motion(Rules rules)
   const Vec<S>& g = law_.pull();
   pull_ = root(S(g.x * g.x + g.y * g.y));
   elastic_ = !can_rest(rules_);
-  add_carried_kinds();
+  add_supported_species();
 }
 
 template <class P>
@@ -69,21 +69,21 @@ template <class P>
 
 template <class P>
 auto Motion<P>::way(const Vec<S>& a, const Vec<S>& b) const -> Vec<S> {
-  const std::array<S, 2>& periods = room_.periods();
+  const std::array<S, 2>& periods = box_.periods();
   return {nearest(S(b.x - a.x), periods[0], S(periods[0] / 2)),
           nearest(S(b.y - a.y), periods[1], S(periods[1] / 2))};
 }
 
 template <class P>
 auto Motion<P>::wrapped(const Vec<S>& at) const -> Vec<S> {
-  return {room_.wrapped(0, at.x), room_.wrapped(1, at.y)};
+  return {box_.wrapped(0, at.x), box_.wrapped(1, at.y)};
 }
 
 template <class P>
-auto Motion<P>::pair_meets(const Disk& a, const Disk& b, bool from_contact,
+auto Motion<P>::pair_event(const Disk& a, const Disk& b, bool from_contact,
                            [[maybe_unused]] At until) const -> Time {
   const S reach = species(a).radius + species(b).radius;
-  if (hops() && stepped_together(a, b)) return P::Clock::never();
+  if (contacts_last() && stepped_together(a, b)) return P::Clock::never();
   if (bends_ && (fixed(a) || fixed(b))) {
     const Disk& ball = fixed(a) ? b : a;
     const Disk& fixed_disk = fixed(a) ? a : b;
@@ -95,7 +95,7 @@ auto Motion<P>::pair_meets(const Disk& a, const Disk& b, bool from_contact,
   const bool swap = b.start < a.start;
   const Disk& earlier = swap ? b : a;
   const Disk& later = swap ? a : b;
-  if (hops()) {
+  if (contacts_last()) {
     const Time ticks = rules_.scale.ticks(meeting_wait(earlier, later, reach, from_contact, until));
     return ticks == P::Clock::never() ? ticks : Time(later.start + ticks);
   }
@@ -103,7 +103,7 @@ auto Motion<P>::pair_meets(const Disk& a, const Disk& b, bool from_contact,
   Relative<S> relative = ask(later, [&](const auto& law) {
     return relative_at_later_start(law, flight(earlier), elapsed, flight(later));
   });
-  const std::array<S, 2>& periods = room_.periods();
+  const std::array<S, 2>& periods = box_.periods();
   relative.r.x = nearest(relative.r.x, periods[0], S(periods[0] / 2));
   relative.r.y = nearest(relative.r.y, periods[1], S(periods[1] / 2));
   const S wait = law_.when(pair_time(relative.r, relative.v, reach));
@@ -117,15 +117,15 @@ auto Motion<P>::wall(const Disk& disk, const Vec<S>& at, Index wall) const -> Wa
   const S& x = axis == 0 ? at.x : at.y;
   const S& radius = species(disk).radius;
   if ((wall - kWalls) % 2 == 0) {
-    const S stop = room_.lowest(axis, radius);
+    const S stop = box_.lowest(axis, radius);
     return {x - stop, stop};
   }
-  const S stop = room_.highest(axis, radius);
+  const S stop = box_.highest(axis, radius);
   return {stop - x, stop};
 }
 
 template <class P>
-auto Motion<P>::wall_meets(const Disk& disk, Index wall) const -> Time {
+auto Motion<P>::wall_event(const Disk& disk, Index wall) const -> Time {
   const std::size_t axis = (wall - kWalls) / 2;
   const int side = (wall - kWalls) % 2 == 0 ? 1 : -1;
   const S gap = this->wall(disk, {disk.x, disk.y}, wall).gap;
@@ -142,12 +142,12 @@ Meeting<P> Motion<P>::wall_meeting(const Disk& disk, std::size_t axis, bool low,
   const auto& law = law_of(disk);
   S wait_low = never<S>();
   S wait_high = never<S>();
-  if (low) wait_low = law.wall_wait(axis, 1, S(x - room_.lowest(axis, radius)), v);
-  if (high) wait_high = law.wall_wait(axis, -1, S(room_.highest(axis, radius) - x), S(-v));
+  if (low) wait_low = law.wall_wait(axis, 1, S(x - box_.lowest(axis, radius)), v);
+  if (high) wait_high = law.wall_wait(axis, -1, S(box_.highest(axis, radius) - x), S(-v));
   const Time wait = rules_.scale.ticks(std::min(wait_low, wait_high));
   if (wait == P::Clock::never()) return {};
   const auto side = static_cast<Index>(2 * axis) + (wait_high < wait_low ? 1U : 0U);
-  if (hops()) {
+  if (contacts_last()) {
     // The step of its island has seen to it.
     const Index wall = kWalls + side;
     const double part = elastic_ ? kTouching : kNear;
@@ -184,7 +184,7 @@ template <class P>
 Meeting<P> Motion<P>::alone(const Disk& disk, At until, const S* spin) const {
   using std::sqrt;
   Meeting<P> first{disk.start + P::Clock::longest_flight(), kCarry};
-  if (spin != nullptr && (slides(disk) || carried(disk) == kSpins)) {
+  if (spin != nullptr && (slides(disk) || support(disk) == kSpins)) {
     const Time slide = rules_.scale.ticks(
         slides(disk) ? slide_wait(disk, *spin) : S(absolute(*spin) / corner(disk, *spin).slower));
     if (slide != P::Clock::never()) first = {disk.start + slide, kSettles};
@@ -201,18 +201,18 @@ Meeting<P> Motion<P>::alone(const Disk& disk, At until, const S* spin) const {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const S& x = axis == 0 ? disk.x : disk.y;
     const S& v = axis == 0 ? disk.vx : disk.vy;
-    if (room_.solid(axis)) {
+    if (box_.solid(axis)) {
       const auto reaches = [&](const S& gap, const S& speed, const S& pull) {
         const S most = larger(speed, S(0)) + larger(pull, S(0)) * half;
         return !(most * wait * (1 + 0x1p-20) < gap);
       };
       const S pull = law_of(disk).pull(axis);
-      const bool low = reaches(S(x - room_.lowest(axis, radius)), S(-v), S(-pull));
-      const bool high = reaches(S(room_.highest(axis, radius) - x), v, pull);
+      const bool low = reaches(S(x - box_.lowest(axis, radius)), S(-v), S(-pull));
+      const bool high = reaches(S(box_.highest(axis, radius) - x), v, pull);
       if (!low && !high) continue;
       const Meeting<P> wall = wall_meeting(disk, axis, low, high);
       if (wall.time < first.time) first = wall;
-    } else if (room_.periodic(axis)) {
+    } else if (box_.periodic(axis)) {
       const S speed = absolute(v);
       const S pull = absolute(law_of(disk).pull(axis));
       if ((speed + pull * half) * wait * (1 + 0x1p-20) < reach_[axis]) continue;
@@ -244,7 +244,7 @@ double Motion<P>::bounce(Disk& disk, S* spin, Index wall, At now) const {
   const std::size_t axis = (wall - kWalls) / 2;
   const bool upper = (wall - kWalls) % 2 == 1;
   const S& radius = species(disk).radius;
-  const S stop = upper ? room_.highest(axis, radius) : room_.lowest(axis, radius);
+  const S stop = upper ? box_.highest(axis, radius) : box_.lowest(axis, radius);
   const int side = upper ? -1 : 1;
   S& x = axis == 0 ? disk.x : disk.y;
   S& v = axis == 0 ? disk.vx : disk.vy;

@@ -11,15 +11,15 @@
 namespace carom::event {
 
 template <class P>
-void Motion<P>::add_carried_kinds() {
+void Motion<P>::add_supported_species() {
   for (unsigned axes = 1; axes <= kJoins; ++axes) {
     for (std::size_t k = 0; k < plain_species_; ++k) {
       Species species = rules_.all_species[k];
-      species.carried = axes;
+      species.support = axes;
       rules_.all_species.push_back(species);
     }
   }
-  add_carried_laws();
+  add_supported_laws();
   if (!(pull_ > 0)) return;
   const S fall = root(S(2 * S(largest_radius_) / pull_));
   const Time span = rules_.scale.ticks(S(kStep * fall));
@@ -30,7 +30,7 @@ void Motion<P>::add_carried_kinds() {
 template <class P>
 bool Motion<P>::stays_down(const S& v, const S& a, const S& restitution, const S& reach) const {
   if (restitution < 1) return bounces_out(v, a, restitution, rules_.scale.resolution());
-  return barely_hops(v, a, reach, elastic_ ? kAtOnce : kShortly);
+  return barely_bounces(v, a, reach, elastic_ ? kAtOnce : kShortly);
 }
 
 template <class P>
@@ -40,9 +40,9 @@ double Motion<P>::support_on_walls(Disk& disk, S* spin) const {
   double lost = 0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const S& a = axis == 0 ? g.x : g.y;
-    if (a == 0 || !room_.solid(axis)) continue;
+    if (a == 0 || !box_.solid(axis)) continue;
     const S& radius = species(disk).radius;
-    const S stop = a < 0 ? room_.lowest(axis, radius) : room_.highest(axis, radius);
+    const S stop = a < 0 ? box_.lowest(axis, radius) : box_.highest(axis, radius);
     const S& x = axis == 0 ? disk.x : disk.y;
     S& v = axis == 0 ? disk.vx : disk.vy;
     const S away = a < 0 ? v : S(-v);
@@ -56,7 +56,7 @@ double Motion<P>::support_on_walls(Disk& disk, S* spin) const {
     v = 0;
     axes |= axis == 0 ? 1U : 2U;
   }
-  set_carried(disk, axes);
+  set_support(disk, axes);
   if (spin == nullptr || !(rules_.wall_friction > 0) || axes == 0) return lost;
   if (axes == kLying) {
     if (*spin == 0) return lost;
@@ -64,7 +64,7 @@ double Motion<P>::support_on_walls(Disk& disk, S* spin) const {
     const Vec<S> load = corner(disk, *spin).load;
     axes = !(load.y > 0) ? 1U : 2U;
     if (load.x > 0 && load.y > 0) axes = kSpins;
-    set_carried(disk, axes);
+    set_support(disk, axes);
     if (axes == kSpins) return lost;
   }
   grip(disk, *spin);
@@ -76,13 +76,13 @@ double Motion<P>::support_on_walls(Disk& disk, S* spin) const {
 template <class P>
 double Motion<P>::support_in_corner(Disk& disk, const S& spin) const {
   if (!slides(disk) || spin == 0) return 0;
-  const std::size_t axis = track(axes_of(carried(disk))).along;
-  if (!room_.solid(axis)) return 0;
+  const std::size_t axis = track(axes_of(support(disk))).along;
+  if (!box_.solid(axis)) return 0;
   const S& radius = species(disk).radius;
   const S& x = axis == 0 ? disk.x : disk.y;
   S& v = axis == 0 ? disk.vx : disk.vy;
   const S push = law_of(disk).push(axis, v);
-  const S stop = push < 0 ? room_.lowest(axis, radius) : room_.highest(axis, radius);
+  const S stop = push < 0 ? box_.lowest(axis, radius) : box_.highest(axis, radius);
   const S away = push < 0 ? v : S(-v);
   if (push == 0 || x != stop || away < 0) return 0;
   if (!stays_down(away, absolute(push), S(rules_.wall_restitution), S(2 * radius))) return 0;
@@ -90,7 +90,7 @@ double Motion<P>::support_in_corner(Disk& disk, const S& spin) const {
   if (!(load.x > 0 && load.y > 0)) return 0;
   const double lost = moving_energy(disk, v);
   v = 0;
-  set_carried(disk, kSpins);
+  set_support(disk, kSpins);
   return lost;
 }
 
@@ -105,7 +105,7 @@ double Motion<P>::support_on_fixed_disk(Disk& disk, const Disk& fixed_disk) cons
   if (away > 0 && !stays_down(away, pull_, S(rules_.restitution), reach)) return 0;
   disk.vx = 0;
   disk.vy = 0;
-  set_carried(disk, kLying);
+  set_support(disk, kLying);
   return moving_energy(disk, away);
 }
 
@@ -145,8 +145,8 @@ bool Motion<P>::just_hit(const Disk& disk, const S& reach, const S& speed, At no
 }
 
 template <class P>
-bool Motion<P>::lies_on_something(const Disk& disk) const {
-  return !fixed(disk) && carried(disk) != 0;
+bool Motion<P>::has_support(const Disk& disk) const {
+  return !fixed(disk) && support(disk) != 0;
 }
 
 template <class P>
@@ -154,7 +154,7 @@ bool Motion<P>::is_at_wall(const Disk& disk, At now) const {
   if (fixed(disk)) return false;
   const Vec<S> at = wrapped(place(disk, now));
   for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
-    if (!room_.solid((wall - kWalls) / 2)) continue;
+    if (!box_.solid((wall - kWalls) / 2)) continue;
     if (!(this->wall(disk, at, wall).gap > 2 * species(disk).radius * kBriefly)) return true;
   }
   return false;
@@ -163,7 +163,7 @@ bool Motion<P>::is_at_wall(const Disk& disk, At now) const {
 template <class P>
 bool Motion<P>::jammed(const Disk& a, const Disk& b, At now) const {
   if (elastic_) return false;
-  const bool loses = rules_.restitution < 1 || lies_on_something(a) || lies_on_something(b);
+  const bool loses = rules_.restitution < 1 || has_support(a) || has_support(b);
   const bool on_fixed = fixed(a) || fixed(b);
   const S reach = species(a).radius + species(b).radius;
   const auto both = [&](double part, const S& speed) {
@@ -174,7 +174,7 @@ bool Motion<P>::jammed(const Disk& a, const Disk& b, At now) const {
   const Vec<S> v = velocity(b, now) - velocity(a, now);
   const S speed = -sharp_dot(way(place(a, now), place(b, now)), v) / reach;
   if (loses) return both(kShortly, speed);
-  // Elastic ones that touch pass a blow on within an instant.
+  // Elastic ones that touch pass an impact on at once.
   if (a.start == now || b.start == now) return false;
   if (on_fixed && rules_.drag_rate > 0 && speed * speed <= S(kShortly * kShortly) * reach * pull_) {
     return both(kShortly, speed);
@@ -196,30 +196,31 @@ bool Motion<P>::sticks(const Disk& a, const Disk& b, const Vec<S>& r, At now) co
     return fixed(disk) ? Vec<S>{S(0), S(0)} : law_of(disk).pull();
   };
   const S pressing = -sharp_dot(r, pull_on(b) - pull_on(a)) / distance;
-  if (barely_hops(speed, pressing, S(species(a).radius + species(b).radius), kAtOnce)) return true;
+  if (barely_bounces(speed, pressing, S(species(a).radius + species(b).radius), kAtOnce))
+    return true;
   if (elastic_) return false;
   if (jammed(a, b, now)) return true;
-  if (rules_.restitution == 1 && !lies_on_something(a) && !lies_on_something(b)) return false;
-  const auto carried = [this](const Disk& disk) { return fixed(disk) || this->carried(disk) != 0; };
-  if ((in_island(a) && carried(b)) || (carried(a) && in_island(b))) return speed <= speed_of_step_;
+  if (rules_.restitution == 1 && !has_support(a) && !has_support(b)) return false;
+  const auto support = [this](const Disk& disk) { return fixed(disk) || this->support(disk) != 0; };
+  if ((in_island(a) && support(b)) || (support(a) && in_island(b))) return speed <= speed_of_step_;
   return pressing > 0 && speed * pull_ <= pressing * speed_of_step_;
 }
 
 template <class P>
 bool Motion<P>::sticks_to_wall(const Disk& disk, const S& speed, At now) const {
-  if (elastic_) return barely_hops(speed, pull_, S(2 * species(disk).radius), kAtOnce);
+  if (elastic_) return barely_bounces(speed, pull_, S(2 * species(disk).radius), kAtOnce);
   return speed <= speed_of_step_ ||
          just_hit(disk, S(2 * species(disk).radius), speed, now, S(kShortly));
 }
 
-// One of the two may be carried: then they accelerate as seen from each other.
+// One of the two may be supported: then they accelerate as seen from each other.
 template <class P>
 auto Motion<P>::meeting_wait(const Disk& earlier, const Disk& later, const S& reach,
                              bool from_contact, At until) const -> S {
   const auto& law = law_of(earlier);
   const S elapsed = rules_.scale.seconds(later.start - earlier.start);
   Relative<S> relative = relative_at_later_start(law, flight(earlier), elapsed, flight(later));
-  const std::array<S, 2>& periods = room_.periods();
+  const std::array<S, 2>& periods = box_.periods();
   relative.r.x = nearest(relative.r.x, periods[0], S(periods[0] / 2));
   relative.r.y = nearest(relative.r.y, periods[1], S(periods[1] / 2));
   const Vec<S> pull = law_of(later).pull() - law.pull();

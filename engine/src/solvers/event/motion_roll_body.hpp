@@ -10,23 +10,23 @@
 namespace carom::event {
 
 template <class P>
-void Motion<P>::add_carried_laws() {
+void Motion<P>::add_supported_laws() {
   for (unsigned code = 0; code <= kJoins; ++code) {
     if (code <= kLying || code >= kSpins) {
-      carried_laws_.push_back(event::carried(law_, std::min(code, kLying)));
+      supported_laws_.push_back(event::supported(law_, std::min(code, kLying)));
       continue;
     }
     const unsigned axes = axes_of(code);
-    const auto law = event::carried(law_, axes);
+    const auto law = event::supported(law_, axes);
     if (code >= kRolls) {
-      carried_laws_.push_back(law.rolling());
+      supported_laws_.push_back(law.rolling());
       continue;
     }
     const Track wall = track(axes);
     Vec<S> pull = law.pull();
     S& along = wall.along == 0 ? pull.x : pull.y;
     along = code % 2 == 1 ? S(along - wall.grip) : S(along + wall.grip);
-    carried_laws_.push_back(law.under(pull));
+    supported_laws_.push_back(law.under(pull));
   }
 }
 
@@ -40,7 +40,7 @@ auto Motion<P>::track(unsigned axes) const -> Track {
 // A uniform disk rolls where friction can give it a third of what pulls it along the wall.
 template <class P>
 void Motion<P>::grip(Disk& disk, S& spin) const {
-  const unsigned axes = carried(disk);
+  const unsigned axes = support(disk);
   const Track wall = track(axes);
   const S& radius = species(disk).radius;
   const S& v = wall.along == 0 ? disk.vx : disk.vy;
@@ -52,12 +52,12 @@ void Motion<P>::grip(Disk& disk, S& spin) const {
   if (!(absolute(slip) > noise)) {
     settle(disk, spin);
     if (!(absolute(pull) > 3 * wall.grip)) {
-      set_carried(disk, kRolls + axes - 1);
+      set_support(disk, kRolls + axes - 1);
       return;
     }
     sign = pull > 0 ? 1 : -1;
   }
-  set_carried(disk, kSlides + 2 * (axes - 1) + (sign > 0 ? 1U : 0U));
+  set_support(disk, kSlides + 2 * (axes - 1) + (sign > 0 ? 1U : 0U));
 }
 
 // A ball that turns and touches two walls has friction at both: with q = 1 where the one of x turns
@@ -66,8 +66,8 @@ template <class P>
 auto Motion<P>::corner(const Disk& disk, const S& spin) const -> Corner {
   const Vec<S>& g = law_.pull();
   const S& radius = species(disk).radius;
-  const int x_side = disk.x == room_.lowest(0, radius) ? -1 : 1;
-  const int y_side = disk.y == room_.lowest(1, radius) ? -1 : 1;
+  const int x_side = disk.x == box_.lowest(0, radius) ? -1 : 1;
+  const int y_side = disk.y == box_.lowest(1, radius) ? -1 : 1;
   const int turns = x_side * y_side * (spin > 0 ? 1 : -1);
   const S mu = rules_.wall_friction;
   const S x = x_side * g.x;
@@ -79,17 +79,17 @@ auto Motion<P>::corner(const Disk& disk, const S& spin) const -> Corner {
 
 template <class P>
 void Motion<P>::settle(const Disk& disk, S& spin) const {
-  if (carried(disk) == kSpins) {
+  if (support(disk) == kSpins) {
     spin = 0;
     return;
   }
-  const Track wall = track(axes_of(carried(disk)));
+  const Track wall = track(axes_of(support(disk)));
   spin = 0 - wall.turns * (wall.along == 0 ? disk.vx : disk.vy) / species(disk).radius;
 }
 
 template <class P>
 auto Motion<P>::spin_at(const Disk& disk, const S& spin, At now) const -> S {
-  const unsigned code = carried(disk);
+  const unsigned code = support(disk);
   if (code < kSlides || code >= kResting || now == disk.start) return spin;
   if (code == kSpins) {
     const S left =
@@ -108,7 +108,7 @@ auto Motion<P>::spin_at(const Disk& disk, const S& spin, At now) const -> S {
 // The slip along its sign; it rises at most once and falls then for good.
 template <class P>
 auto Motion<P>::slide_wait(const Disk& disk, const S& spin) const -> S {
-  const Track wall = track(axes_of(carried(disk)));
+  const Track wall = track(axes_of(support(disk)));
   const int sign = slide_sign(disk);
   const auto& law = law_of(disk);
   const S surface = wall.turns * species(disk).radius * spin;
@@ -146,7 +146,7 @@ auto Motion<P>::slides_of(const Disk& disk, const S* spin, At now) const -> std:
   const Vec<S>& g = law_.pull();
   const Index x_wall = kWalls + (g.x > 0 ? 1U : 0U);
   const Index y_wall = kWalls + 2 + (g.y > 0 ? 1U : 0U);
-  if (carried(disk) == kSpins) {
+  if (support(disk) == kSpins) {
     const S was = species(disk).radius * *spin;
     const S is = species(disk).radius * spin_at(disk, *spin, now);
     // It stops turning within its flight, and has no friction from then on.
@@ -162,11 +162,11 @@ auto Motion<P>::slides_of(const Disk& disk, const S* spin, At now) const -> std:
                    static_cast<double>(S(lost * (pressing / (load.x + load.y))))};
     };
     return {
-        slide(disk.x == room_.lowest(0, species(disk).radius) ? kWalls : kWalls + 1, load.x),
-        slide(disk.y == room_.lowest(1, species(disk).radius) ? kWalls + 2 : kWalls + 3, load.y)};
+        slide(disk.x == box_.lowest(0, species(disk).radius) ? kWalls : kWalls + 1, load.x),
+        slide(disk.y == box_.lowest(1, species(disk).radius) ? kWalls + 2 : kWalls + 3, load.y)};
   }
   if (!slides(disk)) return {};
-  const Track wall = track(axes_of(carried(disk)));
+  const Track wall = track(axes_of(support(disk)));
   const Vec<S> way = law_of(disk).displacement(flight(disk), elapsed);
   const S& along = wall.along == 0 ? way.x : way.y;
   const S surface = wall.turns * species(disk).radius * *spin;
@@ -189,7 +189,7 @@ double Motion<P>::flight_loss(const Disk& disk, const S* spin, At now) const {
     const DragLoss loss(static_cast<double>(S(law.fading())), seconds);
     lost = loss.along(static_cast<double>(disk.vx), static_cast<double>(S(law.pull(0)))) +
            loss.along(static_cast<double>(disk.vy), static_cast<double>(S(law.pull(1))));
-    const bool rolls = carried(disk) >= kRolls && carried(disk) < kSpins;
+    const bool rolls = support(disk) >= kRolls && support(disk) < kSpins;
     lost *= rolls ? 1.5 * mass : mass;
   }
   for (const Slide& slide : slides_of(disk, spin, now)) lost += slide.lost;

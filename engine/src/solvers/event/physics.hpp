@@ -1,8 +1,8 @@
 #pragma once
 
 #include "solvers/event/disk.hpp"
+#include "solvers/event/fixed_time.hpp"
 #include "solvers/event/rules.hpp"
-#include "solvers/event/ticks.hpp"
 #include "trajectory/damped_law.hpp"
 #include "trajectory/flight.hpp"
 

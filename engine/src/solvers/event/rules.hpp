@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "solvers/event/ticks.hpp"
+#include "solvers/event/fixed_time.hpp"
 #include "state/domain.hpp"
 
 namespace carom::event {
@@ -13,7 +13,7 @@ template <class S>
 struct BasicSpecies {
   S radius = 0.5;
   S inverse_mass = 1;    ///< 0: fixed
-  unsigned carried = 0;  ///< the axes along which something carries it: 1 for x, 2 for y
+  unsigned support = 0;  ///< the axes along which something carries it: 1 for x, 2 for y
 
   [[nodiscard]] bool fixed() const { return inverse_mass == 0; }
 };
@@ -41,8 +41,8 @@ struct BasicRules {
   }
 };
 
-/// Friction takes from the hops along one wall when the ball hits another that gravity presses it
-/// to.
+/// Friction takes from the bounces along one wall when the ball hits another that gravity presses
+/// it to.
 inline bool friction_in_corners(double wall_friction, const std::array<double, 2>& gravity) {
   return wall_friction > 0 && gravity[0] != 0 && gravity[1] != 0;
 }

@@ -77,7 +77,7 @@ template <class P>
     const double flight = seconds_of([&] { use(motion.at(event.before, now)); });
     if (event.partner != kUnknown) costs.bending = both ? 2 * flight : flight;
   }
-  if (motion.room().solid(0) || motion.room().solid(1)) {
+  if (motion.box().solid(0) || motion.box().solid(1)) {
     const double search = seconds_of([&] { use(motion.alone(event.after, event.until)); });
     costs.walls = both ? 2 * search : search;
   }

@@ -100,7 +100,7 @@ void EventSolver::visit_state(const BallVisitor& visit) const {
   for (std::size_t first = 0; first < balls.size(); first += buffer.size()) {
     const std::size_t count = std::min(buffer.size(), balls.size() - first);
     std::copy_n(balls.begin() + static_cast<std::ptrdiff_t>(first), count, buffer.begin());
-    core_->look(first, std::span(buffer.data(), count));
+    core_->read_balls(first, std::span(buffer.data(), count));
     for (std::size_t k = 0; k < count; ++k) {
       Ball& ball = buffer[k];
       for (std::size_t axis = 0; axis < 2 && !ball.fixed; ++axis) {

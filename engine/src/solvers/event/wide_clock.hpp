@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "numbers/wide_number.hpp"
-#include "solvers/event/ticks.hpp"
+#include "solvers/event/fixed_time.hpp"
 
 namespace carom::event {
 

@@ -12,7 +12,7 @@ struct BlockFlight {
   double y = 0;
   double vx = 0;
   double vy = 0;
-  Ticks start = 0;
+  FixedTime start = 0;
   Index ball = 0;
   Index species = 0;
 

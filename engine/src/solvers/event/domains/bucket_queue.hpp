@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "solvers/event/domains/near_lists.hpp"
+#include "solvers/event/fixed_time.hpp"
 #include "solvers/event/huge_pages.hpp"
-#include "solvers/event/ticks.hpp"
 
 namespace carom::event {
 
@@ -26,7 +26,7 @@ class BucketQueue {
 
   /// Empties it.  `buckets_of_ball`: for its events in the window.
   /// REQUIRES: `window` > 0.
-  void reset(std::size_t balls, Ticks window, double buckets_of_ball = 1) {
+  void reset(std::size_t balls, FixedTime window, double buckets_of_ball = 1) {
     const double wanted = static_cast<double>(balls) * buckets_of_ball;
     const auto buckets = static_cast<std::uint32_t>(std::clamp(wanted, 16.0, double{kMostBuckets}));
     heads_.assign(buckets, kNoSlot);
@@ -38,10 +38,10 @@ class BucketQueue {
 
   [[nodiscard]] bool holds(Slot ball) const { return entries_[ball].bucket != kNoSlot; }
   /// REQUIRES: it holds the ball.
-  [[nodiscard]] Ticks time(Slot ball) const { return entries_[ball].time; }
+  [[nodiscard]] FixedTime time(Slot ball) const { return entries_[ball].time; }
 
   /// REQUIRES: it does not hold the ball.
-  void add(Slot ball, Ticks time) {
+  void add(Slot ball, FixedTime time) {
     const std::uint32_t bucket = std::max(bucket_of(time), present_);
     const Slot next = heads_[bucket];
     entries_[ball] = {time, next, kNoSlot, static_cast<Slot>(bucket)};
@@ -64,7 +64,7 @@ class BucketQueue {
 
   /// The ball with the earliest event, where that is not after `until`; else kNoSlot.
   /// REQUIRES: what is added from now on is not before the event.
-  [[nodiscard]] Slot first(Ticks until) {
+  [[nodiscard]] Slot first(FixedTime until) {
     while (heads_[present_] == kNoSlot) {
       if (present_ == last_) return kNoSlot;
       ++present_;
@@ -78,7 +78,7 @@ class BucketQueue {
 
   /// Whether all events that it holds are later, but for that of one ball.
   /// REQUIRES: nothing that it holds is before what `first` gave last.
-  [[nodiscard]] bool precedes(Ticks time, Slot but) const {
+  [[nodiscard]] bool precedes(FixedTime time, Slot but) const {
     if (bucket_of(time) > present_) return false;
     for (Slot k = heads_[present_]; k != kNoSlot; k = entries_[k].next) {
       if (entries_[k].time <= time && k != but) return false;
@@ -91,13 +91,13 @@ class BucketQueue {
   }
 
  private:
-  [[nodiscard]] std::uint32_t bucket_of(Ticks time) const {
+  [[nodiscard]] std::uint32_t bucket_of(FixedTime time) const {
     return static_cast<std::uint32_t>(
         std::min(static_cast<double>(time) * per_tick_, static_cast<double>(last_)));
   }
 
   struct Entry {
-    Ticks time = 0;
+    FixedTime time = 0;
     Slot next = kNoSlot;
     Slot before = kNoSlot;
     Slot bucket = kNoSlot;  ///< kNoSlot: not queued

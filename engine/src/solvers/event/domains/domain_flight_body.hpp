@@ -14,7 +14,7 @@ inline constexpr double kCircleAhead = 0.4;
 
 // The flight has just begun.
 template <class P>
-[[gnu::always_inline]] inline void DomainLoop<P>::fly_on(Slot i, Ticks now) {
+[[gnu::always_inline]] inline void DomainLoop<P>::fly_on(Slot i, FixedTime now) {
   const Disk& disk = disks_[i];
   Side& side = sides_[i];
   ++side.changes;
@@ -43,7 +43,7 @@ template <class P>
     path = {at.x - shift_x, at.y - shift_y, v.x, v.y};
   }
   side.leaves = exit(i, now);
-  look_how_far(i);
+  predict_exit(i);
 }
 
 // Straight flights are farthest from anywhere where they begin or end.
@@ -67,7 +67,7 @@ float DomainLoop<P>::displacement(std::size_t k) {
 
 // Where the ball is, in the image that its path is in.
 template <class P>
-Vec<double> DomainLoop<P>::place(Slot i, Ticks now) const {
+Vec<double> DomainLoop<P>::place(Slot i, FixedTime now) const {
   const Path& path = paths_[i];
   if constexpr (!P::Law::kStretches) {
     const double since = seconds(now);
@@ -82,7 +82,7 @@ Vec<double> DomainLoop<P>::place(Slot i, Ticks now) const {
 }
 
 template <class P>
-Vec<double> DomainLoop<P>::velocity(Slot i, Ticks now) const {
+Vec<double> DomainLoop<P>::velocity(Slot i, FixedTime now) const {
   if constexpr (!P::Law::kStretches) {
     const Path& path = paths_[i];
     const double since = seconds(now);
@@ -103,23 +103,23 @@ template <class P>
 }
 
 template <class P>
-void DomainLoop<P>::choose_circle(Slot i, Ticks now) {
+void DomainLoop<P>::choose_circle(Slot i, FixedTime now) {
   const Vec<double> at = place(i, now);
   const Vec<double> shift = ahead(velocity(i, now));
   Side& side = sides_[i];
   side.x = at.x + shift.x;
   side.y = at.y + shift.y;
   side.leaves = exit(i, now);
-  look_for_walls(i);
+  note_walls(i);
 }
 
 // Its circle, its radius taken off the room it has.
 template <class P>
-[[gnu::always_inline]] inline void DomainLoop<P>::look_for_walls(Slot i) {
+[[gnu::always_inline]] inline void DomainLoop<P>::note_walls(Slot i) {
   Side& side = sides_[i];
   const double reach = (window_.skin + radius(i)) * (1 + 0x1p-20);
   const auto clear = [&](std::size_t axis, double x) {
-    return !motion_.room().solid(axis) ||
+    return !motion_.box().solid(axis) ||
            (x - reach > window_.lowest[axis] && x + reach < window_.highest[axis]);
   };
   const bool at_wall = !clear(0, side.x) || !clear(1, side.y);
@@ -127,7 +127,7 @@ template <class P>
 }
 
 template <class P>
-[[gnu::always_inline]] inline void DomainLoop<P>::look_how_far(Slot i) {
+[[gnu::always_inline]] inline void DomainLoop<P>::predict_exit(Slot i) {
   Side& side = sides_[i];
   const bool far = flies_far(disks_[i], window_.until);
   side.alone = static_cast<std::uint8_t>((side.alone & kAtWall) | (far ? kFar : 0));
@@ -145,7 +145,7 @@ template <class P>
 
 // Not before it is `skin` from the middle of its circle.
 template <class P>
-[[gnu::always_inline]] inline double DomainLoop<P>::exit(Slot i, Ticks now) const {
+[[gnu::always_inline]] inline double DomainLoop<P>::exit(Slot i, FixedTime now) const {
   const Side& side = sides_[i];
   if (!bends_) {
     const Path& path = paths_[i];

@@ -88,7 +88,7 @@ void DomainLoop<P>::load(Index memory, bool own) {
       const double part = (window_.reach - distance) / (window_.reach - window_.full);
       if (!(part > 0)) return;
       ball.limit = window_.from +
-                   static_cast<Ticks>(part * static_cast<double>(window_.until - window_.from));
+                   static_cast<FixedTime>(part * static_cast<double>(window_.until - window_.from));
     }
   }
   loading_.push_back(ball);
@@ -161,8 +161,8 @@ void DomainLoop<P>::sort_into_slots() {
     side.x = ball.circle.x;
     side.y = ball.circle.y;
     side.leaves = side.fixed != 0 ? never<double>() : exit(static_cast<Slot>(k), window_.from);
-    look_for_walls(static_cast<Slot>(k));
-    look_how_far(static_cast<Slot>(k));
+    note_walls(static_cast<Slot>(k));
+    predict_exit(static_cast<Slot>(k));
   }
 }
 

@@ -29,8 +29,8 @@ struct DomainWindow {
   double reach = 0;  ///< those at this distance not at all, those between for part of the window
   double collisions = 1;  ///< that a ball has in it, about
   double skin = 0;        ///< balls are listed that can meet before either has gone this far
-  Ticks from = 0;
-  Ticks until = 0;
+  FixedTime from = 0;
+  FixedTime until = 0;
 };
 
 /// A domain: an event loop over some thousand balls and one window, all of it in the processor's
@@ -62,7 +62,7 @@ class DomainLoop {
   /// With all balls loaded.  False: the window is not for a domain.
   [[nodiscard]] bool start();
   /// Everything up to `until` has happened then.  False: the window is not for a domain.
-  [[nodiscard]] bool advance_to(Ticks until);
+  [[nodiscard]] bool advance_to(FixedTime until);
 
   [[nodiscard]] const DomainWindow& window() const { return window_; }
   [[nodiscard]] std::size_t size() const { return disks_.size(); }
@@ -88,7 +88,7 @@ class DomainLoop {
     std::uint64_t walls = 0;
     double max_overlap = 0;
     std::uint64_t events = 0;
-    std::uint64_t scans = 0;
+    std::uint64_t predictions = 0;
     std::uint64_t stale = 0;
     std::uint64_t renewals = 0;
     std::vector<double> lost;  ///< energy, by impact
@@ -103,7 +103,7 @@ class DomainLoop {
     double y = 0;
     double leaves = 0;  ///< when it leaves that, seconds from the start
     double others = 0;  ///< nothing else comes before this, where its event is at a lower bound
-    Ticks limit = kNever;
+    FixedTime limit = kNever;
     std::uint64_t history = 0;
     std::uint32_t changes = 0;          ///< flights that it has begun
     std::uint32_t partner_changes = 0;  ///< what its partner had, when that was found
@@ -130,7 +130,7 @@ class DomainLoop {
   struct Loaded {
     Path path;
     Vec<double> circle;  ///< its middle
-    Ticks limit;
+    FixedTime limit;
     Index memory;
     float distance;
     std::uint32_t cell;
@@ -146,32 +146,32 @@ class DomainLoop {
   void pair_up(Slot i, std::uint32_t from);
 
   // Events: domain_loop_body.hpp.
-  [[nodiscard]] double seconds(Ticks time) const {
+  [[nodiscard]] double seconds(FixedTime time) const {
     return motion_.rules().scale.seconds(time - window_.from);
   }
   [[nodiscard]] double radius(Slot i) const { return motion_.species(disks_[i]).radius; }
   [[nodiscard]] double* spin_of(Slot i) { return spins_.empty() ? nullptr : &spins_[i]; }
-  [[nodiscard]] Vec<double> place(Slot i, Ticks now) const;
-  [[nodiscard]] Vec<double> velocity(Slot i, Ticks now) const;
+  [[nodiscard]] Vec<double> place(Slot i, FixedTime now) const;
+  [[nodiscard]] Vec<double> velocity(Slot i, FixedTime now) const;
   void note_place(std::size_t i, double x, double y);
-  void handle(Slot i, Ticks now);
-  void time_event(Slot i, Ticks now);
-  void meet(Slot i, Slot j, Ticks now);
-  void fly_on(Slot i, Ticks now);
+  void handle(Slot i, FixedTime now);
+  void time_event(Slot i, FixedTime now);
+  void meet(Slot i, Slot j, FixedTime now);
+  void fly_on(Slot i, FixedTime now);
   [[nodiscard]] Vec<double> ahead(const Vec<double>& v) const;
-  void choose_circle(Slot i, Ticks now);
-  void renew(Slot i, Ticks now);
-  [[nodiscard]] double exit(Slot i, Ticks now) const;
-  void scan(Slot i, Ticks now);
-  void settle(Slot i, Meeting<P> best, Ticks now);
-  void scan_exactly(Slot i, Ticks now);
-  void keep_bound(Slot i, double first, double others, Slot partner, Ticks now);
-  [[nodiscard]] bool make_exact(Slot i, Ticks& now, Ticks until);
-  void queue(Slot i, Ticks time);
-  [[nodiscard]] Ticks pair_meets(Slot i, Slot j) const;
-  [[nodiscard]] bool flies_far(const Disk& disk, Ticks until) const;
-  void look_how_far(Slot i);
-  void look_for_walls(Slot i);
+  void choose_circle(Slot i, FixedTime now);
+  void renew(Slot i, FixedTime now);
+  [[nodiscard]] double exit(Slot i, FixedTime now) const;
+  void predict(Slot i, FixedTime now);
+  void settle(Slot i, Meeting<P> best, FixedTime now);
+  void predict_exactly(Slot i, FixedTime now);
+  void keep_bound(Slot i, double first, double others, Slot partner, FixedTime now);
+  [[nodiscard]] bool make_exact(Slot i, FixedTime& now, FixedTime until);
+  void queue(Slot i, FixedTime time);
+  [[nodiscard]] FixedTime pair_event(Slot i, Slot j) const;
+  [[nodiscard]] bool flies_far(const Disk& disk, FixedTime until) const;
+  void predict_exit(Slot i);
+  void note_walls(Slot i);
 
   const Motion<P>& motion_;
   double normal_radius_;

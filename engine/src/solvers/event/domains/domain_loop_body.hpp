@@ -7,13 +7,13 @@
 namespace carom::event {
 
 template <class P>
-bool DomainLoop<P>::advance_to(Ticks until) {
+bool DomainLoop<P>::advance_to(FixedTime until) {
   // So many are none of a window; EventLoop tells whether they end.
   const std::uint64_t most = tally_.events + 1000000 + 1000 * disks_.size();
   for (Slot i = queue_.first(until - window_.from); i != kNoSlot && !unusual_;
        i = queue_.first(until - window_.from)) {
     if (++tally_.events > most) unusual_ = true;
-    Ticks now = window_.from + queue_.time(i);
+    FixedTime now = window_.from + queue_.time(i);
     queue_.remove(i);
     if (sides_[i].bounded != 0 && !make_exact(i, now, until)) continue;
     if (tally_.events % kEventsOfSample == 0) {
@@ -26,7 +26,7 @@ bool DomainLoop<P>::advance_to(Ticks until) {
 }
 
 template <class P>
-[[gnu::noinline]] void DomainLoop<P>::time_event(Slot i, Ticks now) {
+[[gnu::noinline]] void DomainLoop<P>::time_event(Slot i, FixedTime now) {
   TimedEvent<P> event;
   event.before = disks_[i];
   event.partner = sides_[i].partner;
@@ -48,7 +48,7 @@ template <class P>
 }
 
 template <class P>
-void DomainLoop<P>::handle(Slot i, Ticks now) {
+void DomainLoop<P>::handle(Slot i, FixedTime now) {
   const Index partner = sides_[i].partner;
   if (partner < kFirstMark) {
     const auto j = static_cast<Slot>(partner);
@@ -56,7 +56,7 @@ void DomainLoop<P>::handle(Slot i, Ticks now) {
       // It was to meet both at one instant.
       if (disks_[j].start == now) unusual_ = true;
       ++tally_.stale;
-      scan(i, now);
+      predict(i, now);
       return;
     }
     meet(i, j, now);
@@ -76,13 +76,13 @@ void DomainLoop<P>::handle(Slot i, Ticks now) {
     }
   }
   fly_on(i, now);
-  scan(i, now);
+  predict(i, now);
 }
 
 // An impact counts where its balls are owned; the energy it takes, where the one of the lower
 // number is.
 template <class P>
-void DomainLoop<P>::meet(Slot i, Slot j, Ticks now) {
+void DomainLoop<P>::meet(Slot i, Slot j, FixedTime now) {
   const bool moves = sides_[j].fixed == 0;
   if (queue_.holds(j)) {
     if (window_.from + queue_.time(j) == now && sides_[j].partner != i &&
@@ -108,8 +108,8 @@ void DomainLoop<P>::meet(Slot i, Slot j, Ticks now) {
   }
   fly_on(i, now);
   if (moves) fly_on(j, now);
-  if (moves) scan(j, now);
-  scan(i, now);
+  if (moves) predict(j, now);
+  predict(i, now);
 }
 
 template <class P>

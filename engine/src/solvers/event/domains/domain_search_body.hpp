@@ -9,7 +9,8 @@ namespace carom::event {
 
 // In time t a ball goes no farther than v t + a t^2 / 2.
 template <class P>
-[[gnu::always_inline]] inline bool DomainLoop<P>::flies_far(const Disk& disk, Ticks until) const {
+[[gnu::always_inline]] inline bool DomainLoop<P>::flies_far(const Disk& disk,
+                                                            FixedTime until) const {
   if (until - disk.start >= kLongestFlight) return true;
   const double wait = motion_.rules().scale.seconds(until - disk.start);
   const double x = (std::abs(disk.vx) + pull_[0] * wait) * wait;
@@ -18,15 +19,15 @@ template <class P>
 }
 
 template <class P>
-[[gnu::always_inline]] inline Ticks DomainLoop<P>::pair_meets(Slot i, Slot j) const {
+[[gnu::always_inline]] inline FixedTime DomainLoop<P>::pair_event(Slot i, Slot j) const {
   if constexpr (!P::Law::kStretches) {
-    if (!bends_) return motion_.straight_pair_meets(disks_[i], disks_[j]);
+    if (!bends_) return motion_.straight_pair_event(disks_[i], disks_[j]);
   }
-  return motion_.pair_meets(disks_[i], disks_[j]);
+  return motion_.pair_event(disks_[i], disks_[j]);
 }
 
 template <class P>
-[[gnu::noinline]] void DomainLoop<P>::renew(Slot i, Ticks now) {
+[[gnu::noinline]] void DomainLoop<P>::renew(Slot i, FixedTime now) {
   ++tally_.renewals;
   choose_circle(i, now);
   const Side& side = sides_[i];
@@ -59,15 +60,15 @@ template <class P>
     cells_.each_near(cell, try_link);
     for (const Slot k : large_) try_link(k);
   }
-  scan(i, now);
+  predict(i, now);
 }
 
 // The earliest event of the ball from now on: of a pair a lower bound, where nothing else comes as
 // early.
 template <class P>
-void DomainLoop<P>::scan(Slot i, Ticks now) {
+void DomainLoop<P>::predict(Slot i, FixedTime now) {
   if (now > sides_[i].limit) return;
-  ++tally_.scans;
+  ++tally_.predictions;
   double since = seconds(now);
   if constexpr (P::Law::kStretches) {
     const double rate = motion_.law().rate;
@@ -81,7 +82,7 @@ void DomainLoop<P>::scan(Slot i, Ticks now) {
 // `first`, with `partner`, and `others`: as the bounds of Approach.
 template <class P>
 [[gnu::always_inline]] inline void DomainLoop<P>::keep_bound(Slot i, double first, double others,
-                                                             Slot partner, Ticks now) {
+                                                             Slot partner, FixedTime now) {
   Side& side = sides_[i];
   if constexpr (P::Law::kStretches) {
     if (first < end_) first = motion_.law().when(first);
@@ -90,14 +91,14 @@ template <class P>
   const double soonest = std::min(first, side.leaves);
   if (!(soonest < end_)) {
     if (side.alone == 0) return;
-    scan_exactly(i, now);
+    predict_exactly(i, now);
     return;
   }
-  const Ticks time =
-      window_.from + static_cast<Ticks>(soonest * motion_.rules().scale.per_second());
+  const FixedTime time =
+      window_.from + static_cast<FixedTime>(soonest * motion_.rules().scale.per_second());
   const bool pair = first < side.leaves;
   if (side.alone != 0 || (pair && time <= now)) {
-    scan_exactly(i, now);
+    predict_exactly(i, now);
     return;
   }
   side.others = std::min(others, side.leaves);
@@ -109,9 +110,9 @@ template <class P>
 
 // A ball may be followed for longer than its partner, which then knows of the two from here alone.
 template <class P>
-[[gnu::always_inline]] inline void DomainLoop<P>::queue(Slot i, Ticks time) {
+[[gnu::always_inline]] inline void DomainLoop<P>::queue(Slot i, FixedTime time) {
   const Side& side = sides_[i];
-  Ticks last = side.limit;
+  FixedTime last = side.limit;
   if (side.partner < kFirstMark) {
     last = std::max(last, sides_[static_cast<Slot>(side.partner)].limit);
   }
@@ -121,11 +122,11 @@ template <class P>
 // The bound of the ball's event has come up.  Gives whether the event is due, and when; where it is
 // not, it is queued again at its exact time.
 template <class P>
-bool DomainLoop<P>::make_exact(Slot i, Ticks& now, Ticks until) {
+bool DomainLoop<P>::make_exact(Slot i, FixedTime& now, FixedTime until) {
   Side& side = sides_[i];
   const auto j = static_cast<Slot>(side.partner);
   if (sides_[j].changes != side.partner_changes) return true;
-  const Ticks time = pair_meets(i, j);
+  const FixedTime time = pair_event(i, j);
   side.bounded = 0;
   if (time < now) unusual_ = true;
   if (time != kNever && seconds(time) < side.others) {
@@ -139,14 +140,14 @@ bool DomainLoop<P>::make_exact(Slot i, Ticks& now, Ticks until) {
     }
     queue(i, time);
   } else {
-    scan_exactly(i, now);
+    predict_exactly(i, now);
   }
   return false;
 }
 
-// The same as `scan` by exact times.
+// The same as `predict` by exact times.
 template <class P>
-[[gnu::noinline]] void DomainLoop<P>::scan_exactly(Slot i, Ticks now) {
+[[gnu::noinline]] void DomainLoop<P>::predict_exactly(Slot i, FixedTime now) {
   const Side& side = sides_[i];
   Meeting<P> best{};
   double soonest = std::min(end_, side.leaves);
@@ -166,7 +167,7 @@ template <class P>
     for (std::uint32_t l = 0; l < kLanes && k + l < size; ++l) {
       if (soon[l] == 0) continue;
       const Slot j = others[k + l];
-      const Ticks at = pair_meets(i, j);
+      const FixedTime at = pair_event(i, j);
       if (at <= now) {
         // What is no longer followed may overlap others.
         if (sides_[j].limit < now) continue;
@@ -184,15 +185,16 @@ template <class P>
 
 // With what it meets alone, and the end of its circle.
 template <class P>
-void DomainLoop<P>::settle(Slot i, Meeting<P> best, Ticks now) {
+void DomainLoop<P>::settle(Slot i, Meeting<P> best, FixedTime now) {
   const Disk& disk = disks_[i];
   Side& side = sides_[i];
   if (side.leaves < end_) {
-    const Ticks leaves = std::max(
-        now, window_.from + static_cast<Ticks>(side.leaves * motion_.rules().scale.per_second()));
+    const FixedTime leaves =
+        std::max(now, window_.from +
+                          static_cast<FixedTime>(side.leaves * motion_.rules().scale.per_second()));
     if (leaves < best.time) best = {leaves, kUnknown};
   }
-  const Ticks soon = std::min({best.time, window_.until, side.limit});
+  const FixedTime soon = std::min({best.time, window_.until, side.limit});
   if ((side.alone & kAtWall) != 0 || flies_far(disk, soon)) {
     const Meeting<P> alone = motion_.alone(disk, soon);
     if (alone.time <= soon) {

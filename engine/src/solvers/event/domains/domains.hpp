@@ -58,21 +58,21 @@ class Domains {
 
   /// Takes these flights, the balls in their order; `now` is not before any of their starts.
   /// `spins`: of the balls; empty: none.
-  void reset(const std::vector<Disk>& flights, Ticks now, const std::vector<double>& spins);
+  void reset(const std::vector<Disk>& flights, FixedTime now, const std::vector<double>& spins);
   void set_workers(std::size_t workers);
   /// No window is longer, from the next `reset` on.
-  void limit_windows(Ticks longest) { wanted_longest_ = longest; }
+  void limit_windows(FixedTime longest) { wanted_longest_ = longest; }
   /// Gives the number of the phase to start with, Phase::kFrameDone where `until` is now.
-  [[nodiscard]] std::size_t aim(Ticks until);
+  [[nodiscard]] std::size_t aim(FixedTime until);
   /// Counts time from `by` ticks later on.
-  void rebase(Ticks by);
+  void rebase(FixedTime by);
 
   enum : std::size_t { kSort, kSolve, kCheck, kPhases };
   void work(std::size_t phase, Share share);
   /// What comes next: a phase, or Phase::kFrameDone when all is done up to the aim.
   [[nodiscard]] std::size_t finish(std::size_t phase);
 
-  [[nodiscard]] Ticks now() const { return now_; }
+  [[nodiscard]] FixedTime now() const { return now_; }
   [[nodiscard]] Disk flight(std::size_t ball) const;
   [[nodiscard]] double spin(std::size_t ball) const;
   [[nodiscard]] const Motion<P>& motion() const { return *motion_; }
@@ -116,7 +116,7 @@ class Domains {
     std::uint64_t history = 0;
     float displacement = 0;
   };
-  struct alignas(128) Desk {
+  struct alignas(128) Workspace {
     std::unique_ptr<DomainLoop<P>> domain;
     std::vector<Index> counts;  ///< flights of its share in each block, then where they go
     double seconds = 0;
@@ -137,8 +137,8 @@ class Domains {
   void place_blocks();
   void scatter(Share share);
   void find_large();
-  void solve(Region& region, Desk& desk);
-  void solve_alone(Desk& desk);
+  void solve(Region& region, Workspace& workspace);
+  void solve_alone(Workspace& workspace);
   void load_halo(const Region& region, DomainLoop<P>& domain) const;
   [[nodiscard]] DomainWindow window_of(Region& region) const;
   void keep(Region& region, DomainLoop<P>& domain);
@@ -163,7 +163,7 @@ class Domains {
   std::vector<Region> regions_;
   std::vector<std::size_t> to_solve_;
   std::atomic<std::size_t> taken_{0};  ///< of these
-  std::vector<Desk> desks_{1};
+  std::vector<Workspace> workspaces_{1};
 
   HugeVector<BlockFlight> flights_;  ///< at the start of the window, by block
   HugeVector<BlockFlight> next_;     ///< at its end, in the same order
@@ -179,13 +179,13 @@ class Domains {
   std::vector<Large> large_;           ///< the balls larger than normal
   mutable std::vector<Index> memory_;  ///< where each ball is; empty: not looked for yet
 
-  Ticks from_ = 0;  ///< the start of the window
-  Ticks now_ = 0;
-  Ticks until_ = 0;  ///< its end
-  Ticks target_ = 0;
-  Ticks window_ = 1;   ///< as long as one should be
-  Ticks longest_ = 1;  ///< no window is longer
-  Ticks wanted_longest_ = kNever;
+  FixedTime from_ = 0;  ///< the start of the window
+  FixedTime now_ = 0;
+  FixedTime until_ = 0;  ///< its end
+  FixedTime target_ = 0;
+  FixedTime window_ = 1;   ///< as long as one should be
+  FixedTime longest_ = 1;  ///< no window is longer
+  FixedTime wanted_longest_ = kNever;
   bool counted_ = false;
   bool open_ = false;  ///< one domain: its window is not at its end
   bool full_ = false;  ///< it is not the aim that ends the window

@@ -22,15 +22,16 @@ void Domains<P>::set_workers(std::size_t workers) {
   if (workers == workers_) return;
   if (open_) close_window();
   workers_ = workers;
-  desks_.resize(workers);
+  workspaces_.resize(workers);
   const double before = collisions_of_window();
   decompose();
-  window_ = static_cast<Ticks>(static_cast<double>(window_) * (collisions_of_window() / before));
+  window_ =
+      static_cast<FixedTime>(static_cast<double>(window_) * (collisions_of_window() / before));
   limit_window();
 }
 
 template <class P>
-std::size_t Domains<P>::aim(Ticks until) {
+std::size_t Domains<P>::aim(FixedTime until) {
   target_ = until;
   if (!(now_ < target_)) return Phase::kFrameDone;
   return open_ ? std::size_t{kSolve} : begin_window();
@@ -64,10 +65,10 @@ std::size_t Domains<P>::begin_window() {
 
 template <class P>
 void Domains<P>::work(std::size_t phase, Share share) {
-  Desk& desk = desks_[share.index];
+  Workspace& workspace = workspaces_[share.index];
   if (phase == kSort) {
     if (share.index >= kMostSorters) return;
-    const Stopwatch stopwatch(true, desk.seconds);
+    const Stopwatch stopwatch(true, workspace.seconds);
     share.count = std::min(share.count, kMostSorters);
     if (counted_) {
       scatter(share);
@@ -76,14 +77,14 @@ void Domains<P>::work(std::size_t phase, Share share) {
     }
     return;
   }
-  const Stopwatch stopwatch(true, desk.seconds);
+  const Stopwatch stopwatch(true, workspace.seconds);
   if (by_one_loop_) {
     if (share.index == 0) solve_by_one_loop();
   } else if (alone()) {
-    if (share.index == 0) solve_alone(desk);
+    if (share.index == 0) solve_alone(workspace);
   } else if (phase == kSolve) {
     for (std::size_t k = taken_++; k < to_solve_.size(); k = taken_++) {
-      solve(regions_[to_solve_[k]], desk);
+      solve(regions_[to_solve_[k]], workspace);
     }
   } else {
     for (std::size_t k = share.index; k < regions_.size(); k += share.count) check(regions_[k]);
@@ -133,10 +134,11 @@ std::size_t Domains<P>::end_window() {
 }
 
 template <class P>
-void Domains<P>::solve_alone(Desk& desk) {
+void Domains<P>::solve_alone(Workspace& workspace) {
   Region& region = regions_[0];
-  if (!desk.domain) desk.domain = std::make_unique<DomainLoop<P>>(*motion_, normal_radius_);
-  DomainLoop<P>& domain = *desk.domain;
+  if (!workspace.domain)
+    workspace.domain = std::make_unique<DomainLoop<P>>(*motion_, normal_radius_);
+  DomainLoop<P>& domain = *workspace.domain;
   if (!open_) {
     DomainWindow window = window_of(region);
     domain.begin(window, flights_.data(), spins_.empty() ? nullptr : spins_.data());
@@ -150,11 +152,11 @@ void Domains<P>::solve_alone(Desk& desk) {
 // One domain: what it has come to goes on as flights.
 template <class P>
 void Domains<P>::close_window() {
-  DomainLoop<P>& domain = *desks_[0].domain;
+  DomainLoop<P>& domain = *workspaces_[0].domain;
   until_ = now_;
   keep(regions_[0], domain);
   add_tally(domain.tally());
-  desks_[0].beside_pairs += domain.tally().costs;
+  workspaces_[0].beside_pairs += domain.tally().costs;
   adapt(static_cast<double>(domain.tally().ball_halves));
   open_ = false;
   memory_.clear();
@@ -164,7 +166,7 @@ template <class P>
 void Domains<P>::add_tally(const typename DomainLoop<P>::Tally& tally) {
   halves_ += tally.ball_halves;
   counts_.ball_wall += tally.walls;
-  counts_.scans += tally.scans;
+  counts_.predictions += tally.predictions;
   counts_.renewals += tally.renewals;
   counts_.stale += tally.stale;
   counts_.max_overlap = std::max(counts_.max_overlap, tally.max_overlap);
@@ -181,17 +183,17 @@ void Domains<P>::adapt(double halves) {
   const double length = std::clamp(span * wanted / many, static_cast<double>(window_) / 2,
                                    static_cast<double>(window_) * 2);
   const double share = full_ ? 0.5 : 0.1;  // in a short time few balls collide by chance
-  window_ += static_cast<Ticks>(share * (length - static_cast<double>(window_)));
+  window_ += static_cast<FixedTime>(share * (length - static_cast<double>(window_)));
   limit_window();
 }
 
 template <class P>
 void Domains<P>::limit_window() {
-  Ticks most = longest_;
+  FixedTime most = longest_;
   if (!alone() && speed_ > 0) {
     most = std::min(most, motion_->rules().scale.ticks(kFarthest * spacing_ / speed_));
   }
-  window_ = std::min(std::max<Ticks>(window_, 64), std::max<Ticks>(most, 1));
+  window_ = std::min(std::max<FixedTime>(window_, 64), std::max<FixedTime>(most, 1));
 }
 
 template <class P>
@@ -213,7 +215,7 @@ void Domains<P>::solve_by_one_loop() {
 }
 
 template <class P>
-void Domains<P>::rebase(Ticks by) {
+void Domains<P>::rebase(FixedTime by) {
   if (open_) close_window();
   now_ -= by;
   from_ -= by;
@@ -228,7 +230,7 @@ template <class P>
 void Domains<P>::number_balls() const {
   if (!memory_.empty()) return;
   memory_.resize(next_.size());
-  const DomainLoop<P>* domain = open_ ? desks_[0].domain.get() : nullptr;
+  const DomainLoop<P>* domain = open_ ? workspaces_[0].domain.get() : nullptr;
   for (std::size_t k = 0; k < next_.size(); ++k) {
     const Index ball = domain != nullptr ? flights_[domain->memory(k)].ball : next_[k].ball;
     memory_[ball] = static_cast<Index>(k);
@@ -239,14 +241,14 @@ template <class P>
 auto Domains<P>::flight(std::size_t ball) const -> Disk {
   number_balls();
   const Index k = memory_[ball];
-  return open_ ? desks_[0].domain->disk(k) : next_[k].template disk<Disk>();
+  return open_ ? workspaces_[0].domain->disk(k) : next_[k].template disk<Disk>();
 }
 
 template <class P>
 double Domains<P>::spin(std::size_t ball) const {
   number_balls();
   const Index k = memory_[ball];
-  return open_ ? *desks_[0].domain->spin(k) : next_spins_[k];
+  return open_ ? *workspaces_[0].domain->spin(k) : next_spins_[k];
 }
 
 template <class P>
@@ -254,7 +256,7 @@ Counts Domains<P>::counts() const {
   Counts counts = counts_;
   std::uint64_t halves = halves_;
   if (open_) {
-    const auto& tally = desks_[0].domain->tally();
+    const auto& tally = workspaces_[0].domain->tally();
     halves += tally.ball_halves;
     counts.ball_wall += tally.walls;
     counts.max_overlap = std::max(counts.max_overlap, tally.max_overlap);
@@ -267,7 +269,7 @@ template <class P>
 std::vector<double> Domains<P>::losses() const {
   ExactSum<double> sum = lost_;
   if (open_) {
-    for (const double lost : desks_[0].domain->tally().lost) sum.add(lost);
+    for (const double lost : workspaces_[0].domain->tally().lost) sum.add(lost);
   }
   return sum.parts();
 }
@@ -275,12 +277,12 @@ std::vector<double> Domains<P>::losses() const {
 template <class P>
 Costs Domains<P>::costs() const {
   Costs costs;
-  for (const Desk& desk : desks_) {
-    costs += desk.beside_pairs;
-    costs.collisions += desk.seconds - desk.beside_pairs.beside_pairs();
+  for (const Workspace& workspace : workspaces_) {
+    costs += workspace.beside_pairs;
+    costs.collisions += workspace.seconds - workspace.beside_pairs.beside_pairs();
   }
   if (open_) {
-    const Costs& open = desks_[0].domain->tally().costs;
+    const Costs& open = workspaces_[0].domain->tally().costs;
     costs += open;
     costs.collisions -= open.beside_pairs();
   }
@@ -296,9 +298,9 @@ std::size_t Domains<P>::bytes() const {
       outcomes_.capacity() * sizeof(Outcome) +
       (block_of_.capacity() + starts_.capacity() + memory_.capacity()) * sizeof(Index);
   for (const Region& region : regions_) bytes += region.ghosts.capacity() * sizeof(Ghost);
-  for (const Desk& desk : desks_) {
-    bytes += desk.counts.capacity() * sizeof(Index);
-    if (desk.domain) bytes += desk.domain->bytes();
+  for (const Workspace& workspace : workspaces_) {
+    bytes += workspace.counts.capacity() * sizeof(Index);
+    if (workspace.domain) bytes += workspace.domain->bytes();
   }
   return bytes;
 }

@@ -17,7 +17,7 @@ inline constexpr double kHaloSlack = 1e-3;
 // Each flight by where it is now, the share of each worker in the order of memory.
 template <class P>
 void Domains<P>::count_blocks(Share share) {
-  std::vector<Index>& counts = desks_[share.index].counts;
+  std::vector<Index>& counts = workspaces_[share.index].counts;
   counts.assign(blocks_->all(), 0);
   const bool bends = motion_->bends();
   for (std::size_t k = share.begin(next_.size()); k < share.end(next_.size()); ++k) {
@@ -44,7 +44,7 @@ void Domains<P>::place_blocks() {
   for (std::size_t b = 0; b < blocks_->all(); ++b) {
     starts_[b] = sum;
     for (std::size_t w = 0; w < sorters; ++w) {
-      sum += std::exchange(desks_[w].counts[b], sum);
+      sum += std::exchange(workspaces_[w].counts[b], sum);
     }
   }
   starts_.back() = sum;
@@ -52,7 +52,7 @@ void Domains<P>::place_blocks() {
 
 template <class P>
 void Domains<P>::scatter(Share share) {
-  std::vector<Index>& to = desks_[share.index].counts;
+  std::vector<Index>& to = workspaces_[share.index].counts;
   for (std::size_t k = share.begin(next_.size()); k < share.end(next_.size()); ++k) {
     const Index at = to[block_of_[k]]++;
     flights_[at] = next_[k];
@@ -120,14 +120,15 @@ DomainWindow Domains<P>::window_of(Region& region) const {
 }
 
 template <class P>
-void Domains<P>::solve(Region& region, Desk& desk) {
-  if (!desk.domain) desk.domain = std::make_unique<DomainLoop<P>>(*motion_, normal_radius_);
-  DomainLoop<P>& domain = *desk.domain;
+void Domains<P>::solve(Region& region, Workspace& workspace) {
+  if (!workspace.domain)
+    workspace.domain = std::make_unique<DomainLoop<P>>(*motion_, normal_radius_);
+  DomainLoop<P>& domain = *workspace.domain;
   const DomainWindow window = window_of(region);
   domain.begin(window, flights_.data(), spins_.empty() ? nullptr : spins_.data());
   load_halo(region, domain);
   region.unusual = !domain.start() || !domain.advance_to(until_);
-  desk.beside_pairs += domain.tally().costs;
+  workspace.beside_pairs += domain.tally().costs;
   if (!region.unusual) keep(region, domain);
 }
 

@@ -24,7 +24,7 @@ Domains<P>::Domains(const BasicRules<double>& rules)
     : motion_(std::make_shared<const Motion<P>>(rules)) {}
 
 template <class P>
-void Domains<P>::reset(const std::vector<Disk>& flights, Ticks now,
+void Domains<P>::reset(const std::vector<Disk>& flights, FixedTime now,
                        const std::vector<double>& spins) {
   const std::size_t n = flights.size();
   next_.resize(n);
@@ -105,14 +105,14 @@ void Domains<P>::guess_window(const std::vector<Disk>& flights) {
   const double packing = std::min(covered / (spacing_ * spacing_ * n), 0.8);
   const double island = (1 - packing / 2) / ((1 - packing) * (1 - packing));
   const double rate = 3 * speed * (diameters / n) / (spacing_ * spacing_) * island;
-  const Ticks most = kLongestFlight / 64;
+  const FixedTime most = kLongestFlight / 64;
   window_ = rate > 0 ? rules.scale.ticks(collisions_of_window() / rate) : most;
   if (rules.drag_rate > 0) {
     longest_ = rules.scale.ticks(kMostDrag / rules.drag_rate);
   } else {
     longest_ = most;
   }
-  longest_ = std::min(std::clamp<Ticks>(longest_, 64, most), wanted_longest_);
+  longest_ = std::min(std::clamp<FixedTime>(longest_, 64, most), wanted_longest_);
   window_ = std::min(window_, longest_);
   speed_ = std::sqrt(fastest) + gravity * rules.scale.seconds(window_);
 }

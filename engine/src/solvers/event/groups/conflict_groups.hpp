@@ -48,7 +48,7 @@ namespace carom::event {
 ///
 /// Threads: `work` for the workers; the other members while no phase runs.  What a phase reads is
 /// written by no other worker in it: a worker writes the paths of its balls, or of the members of
-/// its groups, and its own desk.
+/// its groups, and its own workspace.
 template <class P>
 class ConflictGroups {
  public:
@@ -65,7 +65,7 @@ class ConflictGroups {
   /// each began; kUnknown: none; empty: none.  `spins`: of the balls; empty: 0.
   void reset(const std::vector<Disk>& flights, At now, const std::vector<Index>& left,
              const std::vector<S>& spins);
-  void set_workers(std::size_t workers) { desks_.resize(workers); }
+  void set_workers(std::size_t workers) { workspaces_.resize(workers); }
   /// No window is longer; never(): they are as long as pays.
   void limit_window(At longest) { length_.limit(longest); }
   /// Whether impacts are noted.
@@ -118,7 +118,7 @@ class ConflictGroups {
     WindowOutcome outcome;
     bool changed = false;  ///< since the pairs were looked at the last time
   };
-  struct alignas(128) Desk {
+  struct alignas(128) Workspace {
     GroupLoop<P> loop;
     std::vector<Encounter> encounters;
     std::vector<Encounter> touching;
@@ -130,7 +130,7 @@ class ConflictGroups {
 
   // The phases.
   void fly(Share share);
-  void look_at_pairs(Share share);
+  void test_pairs(Share share);
   void resolve(Share share);
   // What is done between two phases; each gives the next one.
   [[nodiscard]] std::size_t begin_window();
@@ -140,8 +140,8 @@ class ConflictGroups {
 
   [[nodiscard]] double take(std::size_t ball, Segment<P> segment);
   [[nodiscard]] bool flies_on(const Segment<P>& segment) const;
-  /// REQUIRES: the desk's loop has its members.
-  void solve(Index root, Desk& desk);
+  /// REQUIRES: the workspace's loop has its members.
+  void solve(Index root, Workspace& workspace);
   void set_box(Index ball);
   [[nodiscard]] bool inside_region(Index ball) const;
   [[nodiscard]] PathBall path_of(Index ball) const;
@@ -154,7 +154,7 @@ class ConflictGroups {
   std::vector<Index> movers_;
   std::vector<char> fixed_;
   std::vector<double> radii_;
-  std::vector<Desk> desks_;
+  std::vector<Workspace> workspaces_;
 
   RegionPairs region_pairs_;
   std::vector<Bounds> regions_;

@@ -10,7 +10,9 @@ namespace carom::event {
 
 template <class P>
 ConflictGroups<P>::ConflictGroups(const BasicRules<S>& rules)
-    : motion_(std::make_shared<const Motion<P>>(rules)), desks_(1), region_pairs_(rules.domain) {}
+    : motion_(std::make_shared<const Motion<P>>(rules)),
+      workspaces_(1),
+      region_pairs_(rules.domain) {}
 
 template <class P>
 void ConflictGroups<P>::reset(const std::vector<Disk>& flights, At now,
@@ -49,8 +51,9 @@ double ConflictGroups<P>::take(std::size_t ball, Segment<P> segment) {
     flight.start = P::Clock::ever();
   } else {
     movers_.push_back(static_cast<Index>(ball));
-    const unsigned carried = motion_->carried(flight);
-    if (motion_->hops() && carried != kLying && carried < kResting && flight.start == now_) {
+    const unsigned support = motion_->support(flight);
+    if (motion_->contacts_last() && support != kLying && support < kResting &&
+        flight.start == now_) {
       S* spin = motion_->rules().spins ? &segment.spin : nullptr;
       lost = std::max(motion_->support_on_walls(flight, spin), 0.0);
     }
@@ -100,7 +103,7 @@ void ConflictGroups<P>::work(std::size_t phase, Share share) {
       fly(share);
       break;
     case kPairs:
-      look_at_pairs(share);
+      test_pairs(share);
       break;
     default:
       resolve(share);
@@ -125,9 +128,9 @@ std::size_t ConflictGroups<P>::finish(std::size_t phase) {
 // Each ball as if it were alone: most meet nothing, and their flights just go on.
 template <class P>
 void ConflictGroups<P>::fly(Share share) {
-  Desk& desk = desks_[share.index];
-  const Stopwatch stopwatch(true, desk.wall_seconds);
-  desk.outside = false;
+  Workspace& workspace = workspaces_[share.index];
+  const Stopwatch stopwatch(true, workspace.wall_seconds);
+  workspace.outside = false;
   const std::size_t end = share.end(movers_.size());
   for (std::size_t k = share.begin(movers_.size()); k < end; ++k) {
     const Index i = movers_[k];
@@ -138,26 +141,26 @@ void ConflictGroups<P>::fly(Share share) {
     if (flies_on(track.first)) {
       set_box(i);
     } else {
-      desk.loop.members().assign(1, i);
-      solve(i, desk);
+      workspace.loop.members().assign(1, i);
+      solve(i, workspace);
     }
-    desk.outside = desk.outside || !inside_region(i);
+    workspace.outside = workspace.outside || !inside_region(i);
   }
 }
 
 template <class P>
 bool ConflictGroups<P>::flies_on(const Segment<P>& segment) const {
-  if (motion_->carried(segment.flight) >= kStepped) return false;
+  if (motion_->support(segment.flight) >= kStepped) return false;
   const S* spin = motion_->rules().spins ? &segment.spin : nullptr;
   return motion_->alone(segment.flight, until_, spin).time > until_;
 }
 
 template <class P>
-void ConflictGroups<P>::look_at_pairs(Share share) {
-  Desk& desk = desks_[share.index];
-  const Stopwatch stopwatch(true, desk.pair_seconds);
-  desk.encounters.clear();
-  desk.touching.clear();
+void ConflictGroups<P>::test_pairs(Share share) {
+  Workspace& workspace = workspaces_[share.index];
+  const Stopwatch stopwatch(true, workspace.pair_seconds);
+  workspace.encounters.clear();
+  workspace.touching.clear();
   const std::vector<RegionPair>& pairs = region_pairs_.pairs();
   const std::array<double, 2>& periods = motion_->rules().domain.period;
   const PathMeeting<P> paths(*motion_, until_);
@@ -170,30 +173,30 @@ void ConflictGroups<P>::look_at_pairs(Share share) {
     if (!a.box.near(b.box, (radii_[i] + radii_[j]) * kWidest, periods)) continue;
     const PathBall one = path_of(i);
     const PathBall other = path_of(j);
-    if (first_pass_ && paths.touch_at_start(one, other, now_)) desk.touching.push_back({i, j});
+    if (first_pass_ && paths.touch_at_start(one, other, now_)) workspace.touching.push_back({i, j});
     if (sets_.together(i, j)) continue;
     const bool lasting = paths.lasts(one, other);
-    if (lasting || paths.meet(one, other)) desk.encounters.push_back({i, j, lasting});
+    if (lasting || paths.meet(one, other)) workspace.encounters.push_back({i, j, lasting});
   }
 }
 
 template <class P>
 void ConflictGroups<P>::resolve(Share share) {
-  Desk& desk = desks_[share.index];
-  desk.outside = false;
+  Workspace& workspace = workspaces_[share.index];
+  workspace.outside = false;
   for (std::size_t k = share.index; k < dirty_.size(); k += share.count) {
     const Index root = dirty_[k].root;
-    std::vector<Index>& members = desk.loop.members();
+    std::vector<Index>& members = workspace.loop.members();
     members = sets_.fixed_of(root);
     sets_.each(root, [&](Index i) { members.push_back(i); });
-    solve(root, desk);
+    solve(root, workspace);
   }
 }
 
 // From the flights that the balls begin the window with.
 template <class P>
-void ConflictGroups<P>::solve(Index root, Desk& desk) {
-  GroupLoop<P>& loop = desk.loop;
+void ConflictGroups<P>::solve(Index root, Workspace& workspace) {
+  GroupLoop<P>& loop = workspace.loop;
   loop.note_impacts(notes_);
   const auto first = [this](Index i) -> const Segment<P>& { return tracks_[i].first; };
   loop.solve(motion_, tracks_.size(), first, now_, until_);
@@ -206,9 +209,9 @@ void ConflictGroups<P>::solve(Index root, Desk& desk) {
     track.changed = true;
     track.outcome.clear();
     track.outcome.turns = loop.turns(k);
-    desk.solved.push_back(i);
+    workspace.solved.push_back(i);
     set_box(i);
-    desk.outside = desk.outside || !inside_region(i);
+    workspace.outside = workspace.outside || !inside_region(i);
   }
   loop.take_outcome(tracks_[root].outcome);
 }
@@ -242,7 +245,8 @@ std::size_t ConflictGroups<P>::after_flight() {
 
 template <class P>
 bool ConflictGroups<P>::any_outside() const {
-  return std::any_of(desks_.begin(), desks_.end(), [](const Desk& desk) { return desk.outside; });
+  return std::any_of(workspaces_.begin(), workspaces_.end(),
+                     [](const Workspace& workspace) { return workspace.outside; });
 }
 
 template <class P>
@@ -261,11 +265,11 @@ void ConflictGroups<P>::list_pairs() {
 template <class P>
 std::size_t ConflictGroups<P>::merge() {
   sets_.begin_pass();
-  for (const Desk& desk : desks_) {
-    sets_.touch(desk.touching);
-    for (const Index i : desk.solved) tracks_[i].changed = false;
+  for (const Workspace& workspace : workspaces_) {
+    sets_.touch(workspace.touching);
+    for (const Index i : workspace.solved) tracks_[i].changed = false;
   }
-  for (const Desk& desk : desks_) sets_.meet(desk.encounters);
+  for (const Workspace& workspace : workspaces_) sets_.meet(workspace.encounters);
   first_pass_ = false;
   ++cost_.passes;
   dirty_ = sets_.joined();
@@ -280,13 +284,13 @@ std::size_t ConflictGroups<P>::merge() {
 
 template <class P>
 std::size_t ConflictGroups<P>::end_window() {
-  for (Desk& desk : desks_) {
-    for (const Index i : desk.solved) {
+  for (Workspace& workspace : workspaces_) {
+    for (const Index i : workspace.solved) {
       book_.enter(i, tracks_[i].outcome);
       tracks_[i].changed = false;
       sets_.forget(i);
     }
-    desk.solved.clear();
+    workspace.solved.clear();
   }
   now_ = until_;
   ++windows_;
@@ -315,10 +319,10 @@ void ConflictGroups<P>::rebase(At by) {
 template <class P>
 Costs ConflictGroups<P>::costs() const {
   Costs costs;
-  for (const Desk& desk : desks_) {
-    costs += desk.loop.costs();
-    costs.collisions += desk.pair_seconds;
-    costs.walls += desk.wall_seconds;
+  for (const Workspace& workspace : workspaces_) {
+    costs += workspace.loop.costs();
+    costs.collisions += workspace.pair_seconds;
+    costs.walls += workspace.wall_seconds;
   }
   return costs;
 }
@@ -331,23 +335,23 @@ double ConflictGroups<P>::given_ahead(At now) const {
   const Time next = P::Clock::span(P::Clock::steps(now, shift) + 1, shift);
   for (const Index i : movers_) {
     const Disk& disk = flight(i);
-    if (motion_->carried(disk) == kStepped) sum += motion_->given_ahead(disk, now, next);
+    if (motion_->support(disk) == kStepped) sum += motion_->given_ahead(disk, now, next);
   }
   return sum;
 }
 
 template <class P>
 void ConflictGroups<P>::wake_around(std::size_t ball, At now) {
-  if (!motion_->hops() || !motion_->rules().collisions) return;
+  if (!motion_->contacts_last() || !motion_->rules().collisions) return;
   const Disk& gone = flight(ball);
   const Vec<S> here = motion_->wrapped(motion_->place(gone, now));
   for (const Index j : movers_) {
     Disk& disk = tracks_[j].path.back().flight;
     if (j == ball) continue;
-    if (motion_->carried(disk) != kResting && motion_->carried(disk) != kLying) continue;
+    if (motion_->support(disk) != kResting && motion_->support(disk) != kLying) continue;
     const S reach = motion_->species(gone).radius + motion_->species(disk).radius;
     if (!near(motion_->way(here, motion_->place(disk, now)), reach, S(kNear))) continue;
-    motion_->set_carried(disk, kJoins);
+    motion_->set_support(disk, kJoins);
   }
 }
 

@@ -43,7 +43,7 @@ class PathMeeting {
       const Time& there_ends = end_of(second, b);
       const Time& end = std::min(here_ends, there_ends);
       const bool from_contact = other.fixed && here.left == other.number;
-      if (motion_.pair_meets(here.flight, there.flight, from_contact, end) <= end) return true;
+      if (motion_.pair_event(here.flight, there.flight, from_contact, end) <= end) return true;
       const bool more = a + 1 < first.size() || b + 1 < second.size();
       if (!more) return false;
       if (touch(one, here.flight, other, there.flight, end)) return true;
@@ -65,7 +65,7 @@ class PathMeeting {
   /// Whether one is of an island and the other moves: balls of an island that moves, or is hit, are
   /// looked at with all that are near to them.
   [[nodiscard]] bool lasts(const Ball& one, const Ball& other) const {
-    if (!motion_.hops()) return false;
+    if (!motion_.contacts_last()) return false;
     return (in_island(one) || in_island(other)) && (moves(one) || moves(other));
   }
 
@@ -79,7 +79,7 @@ class PathMeeting {
     using S = typename P::Scalar;
     const S reach = motion_.species(a).radius + motion_.species(b).radius;
     double part = kTouching;
-    if (motion_.hops()) {
+    if (motion_.contacts_last()) {
       const auto in_island = [this](const Ball& ball, const Disk& disk) {
         return !ball.fixed && motion_.in_island(disk);
       };
@@ -96,7 +96,7 @@ class PathMeeting {
 
   [[nodiscard]] bool moves(const Ball& ball) const {
     return !ball.fixed &&
-           (ball.path.size() > 1 || motion_.carried(ball.path.front().flight) >= kStepped);
+           (ball.path.size() > 1 || motion_.support(ball.path.front().flight) >= kStepped);
   }
 
   const Motion<P>& motion_;

@@ -14,7 +14,7 @@ Rules table(double width, double height) {
   box.width = width;
   box.height = height;
   box.origin = Box::Origin::center;
-  return {Domain(box, true), TickScale(0.5), {0, 0}, true, 1, 1, {Species{}}};
+  return {Domain(box, true), FixedTimeClock(0.5), {0, 0}, true, 1, 1, {Species{}}};
 }
 
 Disk at(double x, double y, double vx = 0, double vy = 0) {
@@ -26,7 +26,7 @@ Disk at(double x, double y, double vx = 0, double vy = 0) {
   return disk;
 }
 
-TEST(EventInstant, a_cradle_passes_on_as_many_balls_as_come_in) {
+TEST(EventSimultaneous, a_cradle_passes_on_as_many_balls_as_come_in) {
   for (int coming = 1; coming <= 4; ++coming) {
     std::vector<Disk> disks;
     disks.reserve(5);
@@ -43,7 +43,7 @@ TEST(EventInstant, a_cradle_passes_on_as_many_balls_as_come_in) {
   }
 }
 
-TEST(EventInstant, a_hit_into_an_exact_corner_reverses_exactly) {
+TEST(EventSimultaneous, a_hit_into_an_exact_corner_reverses_exactly) {
   EventLoop<Ballistic> loop(table(8, 8));
   loop.reset({at(0, 0, 3, 3)}, 0);
   loop.advance_to(loop.motion().rules().scale.ticks(1.5));
@@ -54,7 +54,7 @@ TEST(EventInstant, a_hit_into_an_exact_corner_reverses_exactly) {
   EXPECT_EQ(loop.counts().ball_wall, 2U);
 }
 
-TEST(EventInstant, two_balls_that_hit_a_third_at_once_leave_as_mirror_images) {
+TEST(EventSimultaneous, two_balls_that_hit_a_third_at_once_leave_as_mirror_images) {
   for (const bool swapped : {false, true}) {
     std::vector<Disk> disks{at(-2, 0.75, 1), at(-2, -0.75, 1), at(0.3, 0)};
     if (swapped) std::swap(disks[0], disks[1]);
@@ -74,7 +74,7 @@ TEST(EventInstant, two_balls_that_hit_a_third_at_once_leave_as_mirror_images) {
 }
 
 // Fifteen balls in a touching triangle, struck on its axis.
-TEST(EventInstant, a_struck_rack_stays_its_own_mirror_image_to_the_last_bit) {
+TEST(EventSimultaneous, a_struck_rack_stays_its_own_mirror_image_to_the_last_bit) {
   std::vector<Disk> disks{at(-6, 0, 10)};
   std::vector<std::size_t> twin{0};
   for (int row = 0; row < 5; ++row) {

@@ -12,9 +12,9 @@ namespace carom::event {
 
 /// The box in the numbers a run computes with; in double what Domain gives, to the last bit.
 template <class S>
-class Room {
+class SolverBox {
  public:
-  explicit Room(const Domain& domain) {
+  explicit SolverBox(const Domain& domain) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       lower_[axis] = domain.lower[axis];
       upper_[axis] = domain.upper[axis];

@@ -10,13 +10,13 @@ namespace carom::event {
 
 /// Time as a whole number of ticks, so that differences of times are exact and their order is one
 /// comparison.
-using Ticks = std::int64_t;
+using FixedTime = std::int64_t;
 
-inline constexpr Ticks kNever = std::numeric_limits<Ticks>::max();
+inline constexpr FixedTime kNever = std::numeric_limits<FixedTime>::max();
 /// No flight lasts longer: it is then carried on from where it is.
-inline constexpr Ticks kLongestFlight = Ticks{1} << 61;
+inline constexpr FixedTime kLongestFlight = FixedTime{1} << 61;
 /// When the flight of a fixed ball began: before all others.
-inline constexpr Ticks kEver = -(Ticks{1} << 62);
+inline constexpr FixedTime kEver = -(FixedTime{1} << 62);
 
 /// The clock of a run in scalars S: what a time is, and how long a tick.  A tick is a power of two,
 /// taken from the scene's own scale.
@@ -31,8 +31,8 @@ class Clock;
 template <>
 class Clock<double> {
  public:
-  using Time = Ticks;
-  using At = Ticks;  ///< a time that is handed over
+  using Time = FixedTime;
+  using At = FixedTime;  ///< a time that is handed over
   static constexpr int kBits = 55;
   static constexpr int bits() { return kBits; }
   static constexpr int kSlowest = 900;  ///< binary orders of magnitude that a double has room for
@@ -85,6 +85,6 @@ class Clock<double> {
   double per_second_ = 0x1p55;
 };
 
-using TickScale = Clock<double>;
+using FixedTimeClock = Clock<double>;
 
 }  // namespace carom::event
