@@ -1,14 +1,7 @@
-// Workers have small stacks: what Eigen would put there is larger for a few thousand bodies.  The
-// same in every source that includes it, as its functions are one.
-#define EIGEN_STACK_ALLOCATION_LIMIT 4096
-
 #include "contact/block_cholesky.hpp"
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 namespace carom::contact {
 namespace {
@@ -48,94 +41,21 @@ struct Column<2> {
   void put(double* at) const { *reinterpret_cast<Two*>(at) = lanes; }
 };
 
-std::vector<int> least_fill(int n, const std::vector<std::vector<int>>& adjacent) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < n; ++i) {
-    entries.emplace_back(i, i, 1.0);
-    for (const int j : adjacent[index(i)]) entries.emplace_back(i, j, 1.0);
-  }
-  Eigen::SparseMatrix<double> pattern(n, n);
-  pattern.setFromTriplets(entries.begin(), entries.end());
-  Eigen::PermutationMatrix<-1, -1, int> permutation;
-  Eigen::AMDOrdering<int>()(pattern, permutation);
-  std::vector<int> order(index(n));
-  for (int i = 0; i < n; ++i) order[index(i)] = permutation.indices()[i];
-  return order;
-}
-
 }  // namespace
 
 template <int D>
 void BlockCholesky<D>::analyse(const ContactProblem<D>& problem) {
-  const auto joins = [](const Row<D>& row, const std::pair<int, int>& bodies) {
-    return row.a == bodies.first && row.b == bodies.second;
-  };
-  if (n_ == problem.bodies() &&
-      std::equal(problem.rows.begin(), problem.rows.end(), joined_.begin(), joined_.end(), joins))
-    return;
   joined_.clear();
   for (const Row<D>& row : problem.rows) joined_.emplace_back(row.a, row.b);
-  n_ = problem.bodies();
-  const int n = static_cast<int>(n_);
-  std::vector<std::vector<int>> adjacent(n_);
-  for (const Row<D>& row : problem.rows) {
-    if (row.b < 0) continue;
-    adjacent[index(row.a)].push_back(row.b);
-    adjacent[index(row.b)].push_back(row.a);
-  }
-  std::vector<int> order(n_);
-  if (n <= 3) {
-    for (int i = 0; i < n; ++i) order[index(i)] = i;
-  } else {
-    order = least_fill(n, adjacent);
-  }
-  place_.resize(n_);
-  for (int i = 0; i < n; ++i) place_[index(order[index(i)])] = i;
-
-  std::vector<std::vector<int>> pattern(n_);
-  std::vector<std::vector<int>> children(n_);
-  std::vector<int> mark(n_, -1);
-  column_.assign(n_ + 1, 0);
-  row_.clear();
-  for (int j = 0; j < n; ++j) {
-    std::vector<int>& mine = pattern[index(j)];
-    mark[index(j)] = j;
-    const auto add = [&](int i) {
-      if (i <= j || mark[index(i)] == j) return;
-      mark[index(i)] = j;
-      mine.push_back(i);
-    };
-    for (const int other : adjacent[index(order[index(j)])]) add(place_[index(other)]);
-    for (const int child : children[index(j)]) {
-      for (const int i : pattern[index(child)]) add(i);
-    }
-    std::sort(mine.begin(), mine.end());
-    if (!mine.empty()) children[index(mine.front())].push_back(j);
-    row_.push_back(j);
-    row_.insert(row_.end(), mine.begin(), mine.end());
-    column_[index(j) + 1] = static_cast<int>(row_.size());
-  }
-  row_place_.resize(problem.rows.size());
-  for (std::size_t k = 0; k < problem.rows.size(); ++k) {
-    const Row<D>& row = problem.rows[k];
-    row_place_[k] = row.b < 0 ? -1 : find(row.a, row.b);
-  }
-  factor_.resize(row_.size());
-  inverse_.resize(n_);
-  work_.resize(n_);
-  parts_.resize(n_);
-  head_.resize(n_);
-  next_.resize(n_);
-  cursor_.resize(n_);
-}
-
-template <int D>
-int BlockCholesky<D>::find(int a, int b) const {
-  const int i = std::max(place_[index(a)], place_[index(b)]);
-  const int j = std::min(place_[index(a)], place_[index(b)]);
-  const auto begin = row_.begin() + column_[index(j)];
-  const auto end = row_.begin() + column_[index(j) + 1];
-  return static_cast<int>(std::lower_bound(begin, end, i) - row_.begin());
+  pattern_.analyse(problem.bodies(), joined_);
+  const std::size_t n = pattern_.bodies();
+  factor_.resize(pattern_.rows().size());
+  inverse_.resize(n);
+  work_.resize(n);
+  parts_.resize(n);
+  head_.resize(n);
+  next_.resize(n);
+  cursor_.resize(n);
 }
 
 // The same right factor for many products: target -= left right', a column of the target at a time,
@@ -203,40 +123,42 @@ class BlockCholesky<D>::Edge {
 template <int D>
 void BlockCholesky<D>::factor(const ContactProblem<D>& problem,
                               const std::vector<double>& weights) {
+  const std::size_t n = pattern_.bodies();
+  const int* const columns = pattern_.columns().data();
   std::fill(factor_.begin(), factor_.end(), Block{});
-  for (std::size_t i = 0; i < n_; ++i) {
-    Block& diagonal = factor_[index(column_[index(place_[i])])];
+  for (std::size_t i = 0; i < n; ++i) {
+    Block& diagonal = factor_[index(columns[pattern_.place(static_cast<int>(i))])];
     for (int c = 0; c < D; ++c) diagonal.at(c, c) = 1 / problem.inverse_mass[i * D + index(c)];
   }
   for (std::size_t k = 0; k < problem.rows.size(); ++k) {
     const Row<D>& row = problem.rows[k];
     const Edge of_a(row.j, -1);
     const Edge of_b(row.j, 1);
-    of_a.add(weights[k], of_a, factor_[index(column_[index(place_[index(row.a)])])]);
+    of_a.add(weights[k], of_a, factor_[index(columns[pattern_.place(row.a)])]);
     if (row.b < 0) continue;
-    of_b.add(weights[k], of_b, factor_[index(column_[index(place_[index(row.b)])])]);
-    Block& between = factor_[index(row_place_[k])];
-    const bool a_is_later = place_[index(row.a)] > place_[index(row.b)];
+    of_b.add(weights[k], of_b, factor_[index(columns[pattern_.place(row.b)])]);
+    Block& between = factor_[index(pattern_.between(k))];
+    const bool a_is_later = pattern_.place(row.a) > pattern_.place(row.b);
     (a_is_later ? of_a : of_b).add(weights[k], a_is_later ? of_b : of_a, between);
   }
   std::fill(head_.begin(), head_.end(), -1);
   // Stores of numbers leave these as they are, which a compiler cannot know of members.
-  const int* const rows = row_.data();
+  const int* const rows = pattern_.rows().data();
   Block* const blocks = factor_.data();
   Block* const work = work_.data();
-  for (std::size_t j = 0; j < n_; ++j) {
-    const int begin = column_[j];
-    const int end = column_[j + 1];
+  for (std::size_t j = 0; j < n; ++j) {
+    const int begin = columns[j];
+    const int end = columns[j + 1];
     for (int q = begin; q < end; ++q) work[rows[q]] = blocks[q];
     for (int k = head_[j]; k >= 0;) {
       const int following = next_[index(k)];
       int q = cursor_[index(k)];
-      const int last = column_[index(k) + 1];
+      const int last = columns[k + 1];
       const Multiplier right(blocks[q]);
       for (int r = q; r < last; ++r) right.subtract(work[rows[r]], blocks[r]);
       cursor_[index(k)] = ++q;
       if (q < last) {
-        const auto waits = index(row_[index(q)]);
+        const auto waits = index(rows[q]);
         next_[index(k)] = head_[waits];
         head_[waits] = k;
       }
@@ -252,7 +174,7 @@ void BlockCholesky<D>::factor(const ContactProblem<D>& problem,
     }
     if (begin + 1 < end) {
       cursor_[j] = begin + 1;
-      const auto waits = index(row_[index(begin + 1)]);
+      const auto waits = index(rows[begin + 1]);
       next_[j] = head_[waits];
       head_[waits] = static_cast<int>(j);
     }
@@ -284,19 +206,22 @@ void BlockCholesky<D>::factor_diagonal(std::size_t j) {
       u.at(i, a) = t * u.at(i, i);
     }
   }
-  factor_[index(column_[j])] = c;
+  factor_[index(pattern_.columns()[j])] = c;
   inverse_[j] = u;
 }
 
 template <int D>
 void BlockCholesky<D>::solve(std::vector<double>& x) {
-  for (std::size_t i = 0; i < n_; ++i) {
-    for (int c = 0; c < D; ++c) parts_[index(place_[i])].v[index(c)] = x[i * D + index(c)];
+  const std::size_t n = pattern_.bodies();
+  const int* const columns = pattern_.columns().data();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (int c = 0; c < D; ++c)
+      parts_[index(pattern_.place(static_cast<int>(i)))].v[index(c)] = x[i * D + index(c)];
   }
-  const int* const rows = row_.data();
+  const int* const rows = pattern_.rows().data();
   const Block* const blocks = factor_.data();
   Part* const parts = parts_.data();
-  for (std::size_t j = 0; j < n_; ++j) {
+  for (std::size_t j = 0; j < n; ++j) {
     Part y{};
     for (int c = 0; c < D; ++c) {
       for (int e = c; e < D; ++e) y.v[index(e)] += inverse_[j].at(e, c) * parts_[j].v[index(c)];
@@ -304,7 +229,7 @@ void BlockCholesky<D>::solve(std::vector<double>& x) {
     parts_[j] = y;
     Column<D> factors[D];
     for (int c = 0; c < D; ++c) factors[c].lanes = factors[c].lanes + y.v[index(c)];
-    for (int q = column_[j] + 1, end = column_[j + 1]; q < end; ++q) {
+    for (int q = columns[j] + 1, end = columns[j + 1]; q < end; ++q) {
       const double* block = blocks[q].v.data();
       double* target = parts[rows[q]].v.data();
       auto t = Column<D>::of(target);
@@ -313,9 +238,9 @@ void BlockCholesky<D>::solve(std::vector<double>& x) {
       t.put(target);
     }
   }
-  for (std::size_t j = n_; j-- > 0;) {
+  for (std::size_t j = n; j-- > 0;) {
     Column<D> sums[D];
-    for (int q = column_[j] + 1, end = column_[j + 1]; q < end; ++q) {
+    for (int q = columns[j] + 1, end = columns[j + 1]; q < end; ++q) {
       const double* block = blocks[q].v.data();
       const auto source = Column<D>::of(parts[rows[q]].v.data());
       for (int c = 0; c < D; ++c) {
@@ -332,8 +257,9 @@ void BlockCholesky<D>::solve(std::vector<double>& x) {
     }
     parts_[j] = out;
   }
-  for (std::size_t i = 0; i < n_; ++i) {
-    for (int c = 0; c < D; ++c) x[i * D + index(c)] = parts_[index(place_[i])].v[index(c)];
+  for (std::size_t i = 0; i < n; ++i) {
+    for (int c = 0; c < D; ++c)
+      x[i * D + index(c)] = parts_[index(pattern_.place(static_cast<int>(i)))].v[index(c)];
   }
 }
 

@@ -2,18 +2,17 @@
 
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "contact/contact_rows.hpp"
+#include "contact/factor_pattern.hpp"
 
 namespace carom::contact {
 
 /// The factors of M + J' W J, one D x D block a body: the matrix of a contact problem in the space
 /// of its bodies, W a weight for each row.
 ///
-/// The bodies are eliminated in an order of least fill (approximate minimum degree); the pattern of
-/// the factor is worked out from the rows once, and serves for any weights.
+/// The pattern of the factor is worked out from the rows once, and serves for any weights.
 /// REQUIRES: analyse() before factor(), factor() before solve().
 template <int D>
 class BlockCholesky {
@@ -40,14 +39,9 @@ class BlockCholesky {
   class Edge;
 
   void factor_diagonal(std::size_t j);
-  [[nodiscard]] int find(int a, int b) const;
 
-  std::size_t n_ = 0;
-  std::vector<std::pair<int, int>> joined_;  // by row of the problem: its bodies
-  std::vector<int> place_;                   // by body: when it is eliminated
-  std::vector<int> column_;  // where each column starts; its first block is the diagonal one
-  std::vector<int> row_;
-  std::vector<int> row_place_;  // by row of the problem: its block off the diagonal
+  FactorPattern pattern_;
+  FactorPattern::Joined joined_;  // by row of the problem: its bodies
   std::vector<int> head_;
   std::vector<int> next_;
   std::vector<int> cursor_;

@@ -222,6 +222,8 @@ class EventLoop {
   template <class Law>
   void predict_in_lanes_by(const Law& law, Index i, const Index* others, std::uint32_t count,
                            At now, Meeting<P>& best) const requires kInLanes;
+  /// The first time that is no more of its flight, as far as that is known.
+  [[nodiscard]] Time beyond_flight(const Disk& disk) const;
   void predict_pair(Index i, Index other, At now, Meeting<P>& best) const;
   void predict_fixed_disk(Index i, Index fixed_disk, Meeting<P>& best) const;
   void predict_alone(Index i, Meeting<P>& best) const;

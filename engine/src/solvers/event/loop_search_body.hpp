@@ -55,13 +55,25 @@ template <class P>
   for (std::uint32_t n = 0; n < count; ++n) predict_one(others[n]);
 }
 
+// What is stepped begins another flight at the next step, and is predicted again then.
+template <class P>
+auto EventLoop<P>::beyond_flight(const Disk& disk) const -> Time {
+  const bool ends = next_step_ != P::Clock::never() && motion_.support(disk) >= kStepped;
+  return ends ? Time(next_step_ + 1) : P::Clock::never();
+}
+
 template <class P>
 void EventLoop<P>::predict_pair(Index i, Index other, At now, Meeting<P>& best) const {
   const Disk& disk = disks_[other];
-  Time at = motion_.rests()
-                ? motion_.pair_event(disks_[i], disk, false, std::min(best.time, disk.meets))
-                : motion_.pair_event(disks_[i], disk);
-  if (at == P::Clock::never()) return;
+  Time beyond = P::Clock::never();
+  Time at;
+  if (motion_.rests()) {
+    beyond = std::min(beyond_flight(disks_[i]), beyond_flight(disk));
+    at = motion_.pair_event(disks_[i], disk, false, std::min({best.time, disk.meets, beyond}));
+  } else {
+    at = motion_.pair_event(disks_[i], disk);
+  }
+  if (at == P::Clock::never() || !(at < beyond)) return;
   if (at < now) at = now;
   if (at == disk.meets && disk.partner != i) note_tie(at, i, other);
   if (!(at < disk.meets)) return;
@@ -97,7 +109,8 @@ void EventLoop<P>::predict(Index i, At now) {
   const bool support = motion_.contacts_last() && !motion_.flies(me);
   if (support) {
     // First, as it leaves less to look for.
-    const Meeting<P> alone = motion_.alone(me, P::Clock::never(), spin(i));
+    best.time = std::min(best.time, beyond_flight(me));
+    const Meeting<P> alone = motion_.alone(me, best.time, spin(i));
     if (alone.time < best.time) best = alone;
   }
   if (motion_.rules().collisions) {
