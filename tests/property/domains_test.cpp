@@ -132,6 +132,7 @@ void compare(unsigned seed, Seen& seen) {
   for (const std::size_t workers : {1U, 2U, 3U, 6U}) {
     Domains<P> domains(setting.rules);
     if (draw.one_in(2)) domains.limit_windows(setting.rules.scale.ticks(draw.number(0.002, 0.3)));
+    if (draw.one_in(2)) domains.follow_beyond(0);  // then more are solved again
     domains.set_workers(workers);
     domains.reset(disks, 0, setting.spins);
     const int frames = draw.whole(1, 12);

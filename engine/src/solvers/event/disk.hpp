@@ -15,12 +15,9 @@ inline constexpr Index kCarry = 0xfffffff1U;    ///< the flight is long enough: 
 inline constexpr Index kSettles = 0xfffffff2U;  ///< what slides along a wall stops sliding
 inline constexpr Index kWalls = 0xfffffff4U;    ///< + 2 axis, + 1 for the upper one
 
-/// A ball's flight, and what is known of its end: one cache line in double.
-///
-/// Holds: the flight is where, when and how fast the ball left its last impact, and changes only
-/// there.  The rest is bookkeeping: it may be early without changing a bit of the result.
+/// The flight of a ball: where, when and how fast it left its last impact.  Only impacts change it.
 template <class S>
-struct alignas(64) BasicDisk {
+struct BallFlight {
   using Time = typename Clock<S>::Time;
 
   S x = 0;  ///< at `start`, as are y, vx and vy
@@ -28,14 +25,24 @@ struct alignas(64) BasicDisk {
   S vx = 0;
   S vy = 0;
   Time start = 0;
+  Index species = 0;  ///< its radius and mass, in the table of kinds
+};
+
+/// A flight, and what is known of its end: one cache line in double.
+///
+/// Holds: what is known of the end may be early without changing a bit of the result.
+template <class S>
+struct alignas(64) BasicDisk : BallFlight<S> {
+  using Time = typename Clock<S>::Time;
+
+  Index partner = kUnknown;
   Time meets = Clock<S>::never();   ///< when it meets `partner`; no impact of its comes earlier
   Time leaves = Clock<S>::never();  ///< when it leaves the square for which neighbours are listed
-  Index partner = kUnknown;
-  Index species = 0;  ///< its radius and mass, in the table of kinds
 
   [[nodiscard]] const Time& due() const { return meets < leaves ? meets : leaves; }
 };
 
 using Disk = BasicDisk<double>;
+static_assert(sizeof(Disk) == 64);
 
 }  // namespace carom::event

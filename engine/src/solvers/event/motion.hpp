@@ -55,7 +55,7 @@ class Motion {
   using S = typename P::Scalar;
   using Time = typename P::Time;
   using At = typename P::At;
-  using Disk = typename P::Disk;
+  using Disk = BallFlight<S>;
   using Species = BasicSpecies<S>;
   using Rules = BasicRules<S>;
 

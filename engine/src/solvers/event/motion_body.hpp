@@ -15,7 +15,7 @@
 namespace carom::event {
 
 template <class S>
-Flight<S> flight(const BasicDisk<S>& disk) {
+Flight<S> flight(const BallFlight<S>& disk) {
   return {{disk.x, disk.y}, {disk.vx, disk.vy}};
 }
 

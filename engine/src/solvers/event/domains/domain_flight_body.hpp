@@ -15,22 +15,18 @@ inline constexpr double kCircleAhead = 0.4;
 // The flight has just begun.
 template <class P>
 [[gnu::always_inline]] inline void DomainLoop<P>::fly_on(Slot i, FixedTime now) {
-  const Disk& disk = disks_[i];
+  const BlockFlight& disk = flights_[i];
   Side& side = sides_[i];
-  ++side.changes;
-  const auto mix = [&](std::uint64_t bits) {
-    side.history = (side.history ^ bits) * 0x9e3779b97f4a7c15U;
-    side.history ^= side.history >> 32;
-  };
-  mix(static_cast<std::uint64_t>(now) ^ (std::bit_cast<std::uint64_t>(disk.vx) << 1));
-  mix(std::bit_cast<std::uint64_t>(disk.vy));
-  if (!spins_.empty()) mix(std::bit_cast<std::uint64_t>(spins_[i]));
+  if (++side.changes == 0) unusual_ = true;  // so many are counted
   Path& path = paths_[i];
   const double dx = disk.x - window_.middle[0] - side.x;
   const double dy = disk.y - window_.middle[1] - side.y;
   const double shift_x = window_.middle[0] + periods_[0] * std::rint(dx * per_period_[0]);
   const double shift_y = window_.middle[1] + periods_[1] * std::rint(dy * per_period_[1]);
-  note_place(i, disk.x - shift_x, disk.y - shift_y);
+  if (tracked_) {
+    note_change(i, now);
+    note_place(i, disk.x - shift_x, disk.y - shift_y);
+  }
   if constexpr (!P::Law::kStretches) {
     const double since = seconds(now);
     const Vec<double>& g = motion_.law().pull();
@@ -46,22 +42,35 @@ template <class P>
   predict_exit(i);
 }
 
+template <class P>
+[[gnu::always_inline]] inline void DomainLoop<P>::note_change(Slot i, FixedTime now) {
+  const BlockFlight& flight = flights_[i];
+  std::uint64_t& history = tracks_[i].history;
+  const auto mix = [&](std::uint64_t bits) {
+    history = (history ^ bits) * 0x9e3779b97f4a7c15U;
+    history ^= history >> 32;
+  };
+  mix(static_cast<std::uint64_t>(now) ^ (std::bit_cast<std::uint64_t>(flight.vx) << 1));
+  mix(std::bit_cast<std::uint64_t>(flight.vy));
+  if (!spins_.empty()) mix(std::bit_cast<std::uint64_t>(spins_[i]));
+}
+
 // Straight flights are farthest from anywhere where they begin or end.
 template <class P>
 [[gnu::always_inline]] inline void DomainLoop<P>::note_place(std::size_t i, double x, double y) {
-  Trip& trip = trips_[i];
-  const float dx = static_cast<float>(x) - trip.x;
-  const float dy = static_cast<float>(y) - trip.y;
-  trip.square = std::max(trip.square, dx * dx + dy * dy);
+  Track& track = tracks_[i];
+  const float dx = static_cast<float>(x) - track.x;
+  const float dy = static_cast<float>(y) - track.y;
+  track.square = std::max(track.square, dx * dx + dy * dy);
 }
 
 // What gravity bends a flight by adds to that.
 template <class P>
 float DomainLoop<P>::displacement(std::size_t k) {
-  if (sides_[k].fixed != 0) return 0;
+  if (sides_[k].fixed) return 0;
   const Vec<double> at = place(static_cast<Slot>(k), window_.until);
   note_place(k, at.x, at.y);
-  return static_cast<float>((std::sqrt(static_cast<double>(trips_[k].square)) + bend_) *
+  return static_cast<float>((std::sqrt(static_cast<double>(tracks_[k].square)) + bend_) *
                             (1 + 0x1p-16));
 }
 
@@ -75,8 +84,8 @@ Vec<double> DomainLoop<P>::place(Slot i, FixedTime now) const {
     return {path.x + since * (path.vx + g.x * (since / 2)),
             path.y + since * (path.vy + g.y * (since / 2))};
   } else {
-    const Vec<double> then = motion_.place(disks_[i], window_.from);
-    const Vec<double> at = motion_.place(disks_[i], now);
+    const Vec<double> then = motion_.place(flights_[i], window_.from);
+    const Vec<double> at = motion_.place(flights_[i], now);
     return {path.x + (at.x - then.x), path.y + (at.y - then.y)};
   }
 }
@@ -89,7 +98,7 @@ Vec<double> DomainLoop<P>::velocity(Slot i, FixedTime now) const {
     const Vec<double>& g = motion_.law().pull();
     return {path.vx + g.x * since, path.vy + g.y * since};
   } else {
-    return motion_.velocity(disks_[i], now);
+    return motion_.velocity(flights_[i], now);
   }
 }
 
@@ -107,8 +116,8 @@ void DomainLoop<P>::choose_circle(Slot i, FixedTime now) {
   const Vec<double> at = place(i, now);
   const Vec<double> shift = ahead(velocity(i, now));
   Side& side = sides_[i];
-  side.x = at.x + shift.x;
-  side.y = at.y + shift.y;
+  side.x = static_cast<float>(at.x + shift.x);
+  side.y = static_cast<float>(at.y + shift.y);
   side.leaves = exit(i, now);
   note_walls(i);
 }
@@ -116,21 +125,19 @@ void DomainLoop<P>::choose_circle(Slot i, FixedTime now) {
 // Its circle, its radius taken off the room it has.
 template <class P>
 [[gnu::always_inline]] inline void DomainLoop<P>::note_walls(Slot i) {
+  if (!walls_) return;
   Side& side = sides_[i];
   const double reach = (window_.skin + radius(i)) * (1 + 0x1p-20);
   const auto clear = [&](std::size_t axis, double x) {
     return !motion_.box().solid(axis) ||
            (x - reach > window_.lowest[axis] && x + reach < window_.highest[axis]);
   };
-  const bool at_wall = !clear(0, side.x) || !clear(1, side.y);
-  side.alone = static_cast<std::uint8_t>((side.alone & kFar) | (at_wall ? kAtWall : 0));
+  side.at_wall = !clear(0, side.x) || !clear(1, side.y);
 }
 
 template <class P>
 [[gnu::always_inline]] inline void DomainLoop<P>::predict_exit(Slot i) {
-  Side& side = sides_[i];
-  const bool far = flies_far(disks_[i], window_.until);
-  side.alone = static_cast<std::uint8_t>((side.alone & kAtWall) | (far ? kFar : 0));
+  sides_[i].far = flies_far(flights_[i], window_.until);
 }
 
 // Seconds until a place at `off` that moves straight at v is `radius` from 0.

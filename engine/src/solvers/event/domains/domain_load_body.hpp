@@ -19,6 +19,7 @@ DomainLoop<P>::DomainLoop(const Motion<P>& motion, double normal_radius)
     : motion_(motion),
       normal_radius_(normal_radius),
       bends_(motion.bends()),
+      walls_(motion.box().solid(0) || motion.box().solid(1)),
       approach_({0, 0}, 1, nullptr, 0) {
   smallest_radius_ = never<double>();
   for (const auto& species : motion.rules().all_species) {
@@ -33,11 +34,12 @@ DomainLoop<P>::DomainLoop(const Motion<P>& motion, double normal_radius)
 }
 
 template <class P>
-void DomainLoop<P>::begin(const DomainWindow& window, const BlockFlight* flights,
+void DomainLoop<P>::begin(const DomainWindow& window, const BlockFlight* memory,
                           const double* spins) {
   window_ = window;
-  flights_ = flights;
-  flight_spins_ = spins;
+  memory_ = memory;
+  memory_spins_ = spins;
+  tracked_ = window.halo;
   end_ = seconds(window.until);
   bend_per_square_ = std::hypot(pull_[0], pull_[1]);
   bend_ = bend_per_square_ * end_ * end_ / 4;
@@ -57,9 +59,8 @@ template <class P>
       path.x += wait * flight.vx;
       path.y += wait * flight.vy;
     } else {
-      const Disk disk = flight.template disk<Disk>();
-      const Vec<double> at = motion_.place(disk, window_.from);
-      const Vec<double> v = motion_.velocity(disk, window_.from);
+      const Vec<double> at = motion_.place(flight, window_.from);
+      const Vec<double> v = motion_.velocity(flight, window_.from);
       path = {at.x, at.y, v.x, v.y};
     }
   }
@@ -72,10 +73,18 @@ template <class P>
 
 template <class P>
 void DomainLoop<P>::load(Index memory, bool own) {
-  const BlockFlight& flight = flights_[memory];
-  Loaded ball{path_at_start(flight), {0, 0}, kNever, memory, 0, 0, own};
+  const BlockFlight& flight = memory_[memory];
+  const Path path = path_at_start(flight);
+  const Vec<double> shift = ahead({path.vx, path.vy});
+  Loaded ball{static_cast<float>(path.x + shift.x),
+              static_cast<float>(path.y + shift.y),
+              memory,
+              0,
+              0,
+              kToTheEnd,
+              own};
   if (!own) {
-    const std::array<double, 2> at{ball.path.x, ball.path.y};
+    const std::array<double, 2> at{path.x, path.y};
     double distance = -1;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       if (window_.whole[axis]) continue;
@@ -87,8 +96,7 @@ void DomainLoop<P>::load(Index memory, bool own) {
     if (distance > window_.full) {
       const double part = (window_.reach - distance) / (window_.reach - window_.full);
       if (!(part > 0)) return;
-      ball.limit = window_.from +
-                   static_cast<FixedTime>(part * static_cast<double>(window_.until - window_.from));
+      ball.limit = static_cast<float>(part * end_);
     }
   }
   loading_.push_back(ball);
@@ -122,45 +130,47 @@ void DomainLoop<P>::sort_into_slots() {
   const auto n = static_cast<std::uint32_t>(loading_.size());
   ends_.assign(cells_.cells() + 1, 0);
   for (Loaded& ball : loading_) {
-    const Vec<double> shift = ahead({ball.path.vx, ball.path.vy});
-    ball.circle = {ball.path.x + shift.x, ball.path.y + shift.y};
-    ball.cell = cells_.cell_at(ball.circle.x, ball.circle.y);
+    ball.cell = cells_.cell_at(ball.x, ball.y);
     ++ends_[ball.cell + 1];
   }
   for (std::size_t c = 0; c < cells_.cells(); ++c) ends_[c + 1] += ends_[c];
-  disks_.resize(n);
+  flights_.resize(n);
   // Lists may be read a little beyond their last.
   paths_.resize(n + 1);
   sides_.resize(n);
-  trips_.resize(n);
+  memories_.resize(n);
+  tracks_.resize(tracked_ ? n : 0);
   spins_.resize(motion_.rules().spins ? n : 0);
   radii_.resize(mixed_ ? n : 0);
-  first_.assign(n, {never<double>(), never<double>(), kUnknown});
+  first_.assign(n, {never<double>(), std::numeric_limits<float>::infinity(), 0});
   large_.clear();
   for (const Loaded& ball : loading_) {
     const std::uint32_t k = ends_[ball.cell]++;
-    Disk& disk = disks_[k];
-    disk = flights_[ball.memory].template disk<Disk>();
-    paths_[k] = ball.path;
+    BlockFlight& flight = flights_[k];
+    flight = memory_[ball.memory];
+    memories_[k] = ball.memory;
+    const Path path = path_at_start(flight);
+    paths_[k] = path;
     Side& side = sides_[k];
     side = {};
+    side.x = ball.x;
+    side.y = ball.y;
     side.limit = ball.limit;
-    side.own = ball.own ? 1 : 0;
-    side.fixed = motion_.fixed(disk) ? 1 : 0;
-    const double r = motion_.species(disk).radius;
-    trips_[k] = {static_cast<float>(ball.path.x), static_cast<float>(ball.path.y), 0, ball.distance,
-                 ball.memory};
-    if (!spins_.empty()) spins_[k] = flight_spins_[ball.memory];
+    side.own = ball.own;
+    side.fixed = motion_.fixed(flight);
+    if (tracked_) {
+      tracks_[k] = {0, static_cast<float>(path.x), static_cast<float>(path.y), 0, ball.distance};
+    }
+    if (!spins_.empty()) spins_[k] = memory_spins_[ball.memory];
+    const double r = motion_.species(flight).radius;
     if (mixed_) radii_[k] = r;
-    search_.set(k, ball.circle.x, ball.circle.y, r);
+    search_.set(k, ball.x, ball.y, r);
     if (r > normal_radius_) {
       large_.push_back(static_cast<Slot>(k));
     } else {
       cells_.add(static_cast<Slot>(k), ball.cell);
     }
-    side.x = ball.circle.x;
-    side.y = ball.circle.y;
-    side.leaves = side.fixed != 0 ? never<double>() : exit(static_cast<Slot>(k), window_.from);
+    side.leaves = side.fixed ? never<double>() : exit(static_cast<Slot>(k), window_.from);
     note_walls(static_cast<Slot>(k));
     predict_exit(static_cast<Slot>(k));
   }
@@ -176,7 +186,7 @@ void DomainLoop<P>::link(Slot i, Slot j) {
 // is the end of cell c, and its beginning the end of the one before.
 template <class P>
 void DomainLoop<P>::list_all() {
-  const auto n = static_cast<std::uint32_t>(disks_.size());
+  const auto n = static_cast<std::uint32_t>(flights_.size());
   const auto is_large = [&](std::uint32_t k) { return mixed_ && radii_[k] > normal_radius_; };
   for (const Slot i : large_) {
     const std::uint32_t from = lists_.size(i);
@@ -234,12 +244,11 @@ void DomainLoop<P>::list_all() {
 
 template <class P>
 void DomainLoop<P>::first_events() {
-  const auto n = static_cast<std::uint32_t>(disks_.size());
+  const auto n = static_cast<std::uint32_t>(flights_.size());
   for (std::uint32_t k = 0; k < n && !unusual_; ++k) {
-    if (sides_[k].fixed != 0) continue;
+    if (sides_[k].fixed) continue;
     const FirstEvent& first = first_[k];
-    keep_bound(static_cast<Slot>(k), first.time, first.others, static_cast<Slot>(first.partner),
-               window_.from);
+    keep_bound(static_cast<Slot>(k), first.time, first.others, first.partner, window_.from);
   }
 }
 
@@ -251,7 +260,7 @@ void DomainLoop<P>::pair_up(Slot i, std::uint32_t from) {
   const typename Approach::Seer me = approach_.seer(paths_[i], i);
   const auto note = [&](Slot a, Slot b, double time) {
     FirstEvent& first = first_[a];
-    first.others = std::min(first.others, std::max(first.time, time));
+    first.others = std::min(first.others, not_later(std::max(first.time, time)));
     if (time < first.time) {
       first.time = time;
       first.partner = b;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "solvers/event/domains/approach.hpp"
@@ -25,6 +26,7 @@ struct DomainWindow {
   std::array<bool, 2> whole{};          ///< all of the axis is loaded
   std::array<double, 2> lowest{0, 0};   ///< ends of the box, from the middle; where an axis is
   std::array<double, 2> highest{0, 0};  ///< periodic, no place is beyond
+  bool halo = false;                    ///< balls may be loaded that the domain does not own
   double full = 0;   ///< balls of the halo no farther away are followed to the end,
   double reach = 0;  ///< those at this distance not at all, those between for part of the window
   double collisions = 1;  ///< that a ball has in it, about
@@ -32,6 +34,17 @@ struct DomainWindow {
   FixedTime from = 0;
   FixedTime until = 0;
 };
+
+/// What a ball meets that is no ball, in the numbers of a domain: their last, as it is with Index.
+constexpr Slot slot_mark(Index mark) {
+  return static_cast<Slot>(mark);
+}
+inline constexpr Slot kFirstSlotMark = slot_mark(kFirstMark);
+
+/// In single precision, and no greater.
+inline float not_later(double time) {
+  return static_cast<float>(time * (time > 0 ? 1 - 0x1p-23 : 1 + 0x1p-23));
+}
 
 /// A domain: an event loop over some thousand balls and one window, all of it in the processor's
 /// cache, made from flights alone and thrown away afterwards.
@@ -51,12 +64,14 @@ class DomainLoop {
  public:
   using Disk = typename P::Disk;
   static constexpr std::size_t kMostBalls = 60000;
+  static_assert(kMostBalls <= kFirstSlotMark);
 
   /// `normal_radius`: balls that are larger are few, and looked at one by one.
   DomainLoop(const Motion<P>& motion, double normal_radius);
 
-  /// Forgets all balls.  `flights` and `spins` (null: balls have none) are to last until `start`.
-  void begin(const DomainWindow& window, const BlockFlight* flights, const double* spins);
+  /// Forgets all balls.  `memory`, the flights to load from, and `spins` (null: balls have none)
+  /// are to last until `start`.
+  void begin(const DomainWindow& window, const BlockFlight* memory, const double* spins);
   /// `memory`: the number of the flight.
   void load(Index memory, bool own);
   /// With all balls loaded.  False: the window is not for a domain.
@@ -65,22 +80,24 @@ class DomainLoop {
   [[nodiscard]] bool advance_to(FixedTime until);
 
   [[nodiscard]] const DomainWindow& window() const { return window_; }
-  [[nodiscard]] std::size_t size() const { return disks_.size(); }
-  [[nodiscard]] const Disk& disk(std::size_t k) const { return disks_[k]; }
+  [[nodiscard]] std::size_t size() const { return flights_.size(); }
+  [[nodiscard]] const BlockFlight& flight(std::size_t k) const { return flights_[k]; }
   [[nodiscard]] const double* spin(std::size_t k) const {
     return spins_.empty() ? nullptr : &spins_[k];
   }
-  [[nodiscard]] Index memory(std::size_t k) const { return trips_[k].memory; }
+  [[nodiscard]] Index memory(std::size_t k) const { return memories_[k]; }
   [[nodiscard]] bool owns(std::size_t k) const { return sides_[k].own != 0; }
+  /// It was followed to the end of the window.
+  [[nodiscard]] bool followed(std::size_t k) const { return sides_[k].limit == kToTheEnd; }
+
+  // Where there is a halo.
   /// Of everything that has happened to the ball in the window.
-  [[nodiscard]] std::uint64_t history(std::size_t k) const { return sides_[k].history; }
+  [[nodiscard]] std::uint64_t history(std::size_t k) const { return tracks_[k].history; }
   /// How far it may have been from where it was at the start of the window.
   [[nodiscard]] float displacement(std::size_t k);
   /// From what the domain owns to where the ball was at the start; its radius, where it is larger
   /// than normal, taken off.
-  [[nodiscard]] float distance(std::size_t k) const { return trips_[k].distance; }
-  /// It was followed to the end of the window.
-  [[nodiscard]] bool followed(std::size_t k) const { return sides_[k].limit >= window_.until; }
+  [[nodiscard]] float distance(std::size_t k) const { return tracks_[k].distance; }
 
   /// Impacts of own balls; between two balls each counts one for either.
   struct Tally {
@@ -98,44 +115,51 @@ class DomainLoop {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  struct Side {
-    double x = 0;  ///< middle of its safe circle
-    double y = 0;
-    double leaves = 0;  ///< when it leaves that, seconds from the start
-    double others = 0;  ///< nothing else comes before this, where its event is at a lower bound
-    FixedTime limit = kNever;
-    std::uint64_t history = 0;
-    std::uint32_t changes = 0;          ///< flights that it has begun
-    std::uint32_t partner_changes = 0;  ///< what its partner had, when that was found
-    Index partner = kUnknown;           ///< of its event
-    std::uint8_t own = 0;
-    std::uint8_t fixed = 0;
-    std::uint8_t alone = 0;    ///< of kAtWall, kFar: what it may meet alone in the window
-    std::uint8_t bounded = 0;  ///< its event is at a lower bound of its time
+  static constexpr float kToTheEnd = std::numeric_limits<float>::infinity();
+  /// What a ball is about to do.  Times are seconds from the start of the window.
+  struct alignas(32) Side {
+    float x = 0;  ///< middle of its safe circle
+    float y = 0;
+    double leaves = 0;          ///< when it leaves that
+    float others = 0;           ///< nothing else comes before, where its event is at a bound
+    float limit = kToTheEnd;    ///< it is not followed for longer
+    std::uint16_t changes = 0;  ///< flights that it has begun
+    std::uint16_t partner_changes = 0;   ///< what its partner had, when that was found
+    Slot partner = slot_mark(kUnknown);  ///< of its event
+    bool own : 1 = false;
+    bool fixed : 1 = false;
+    bool at_wall : 1 = false;  ///< a wall may be within its circle
+    bool far : 1 = false;      ///< its flight may be long enough to start again in the window
+    bool bounded : 1 = false;  ///< its event is at a lower bound of its time
+    [[nodiscard]] bool alone() const { return at_wall || far; }
   };
-  static constexpr std::uint8_t kAtWall = 1;  ///< a wall may be within its circle
-  static constexpr std::uint8_t kFar = 2;     ///< its flight may be long enough to start again
-  struct Trip {
-    float x = 0;
+  static_assert(sizeof(Side) == 32);
+  /// What is compared with other domains.
+  struct Track {
+    std::uint64_t history = 0;
+    float x = 0;  ///< where it was at the start of the window
     float y = 0;
     float square = 0;  ///< of the largest distance from there so far
     float distance = 0;
-    Index memory = 0;
   };
+  /// What a ball meets first of all that it can meet, while the window is started.
   struct FirstEvent {
     double time;
-    double others;
-    Index partner;
+    float others;
+    Slot partner;
   };
   struct Loaded {
-    Path path;
-    Vec<double> circle;  ///< its middle
-    FixedTime limit;
+    float x;  ///< middle of its circle
+    float y;
     Index memory;
-    float distance;
     std::uint32_t cell;
+    float distance;
+    float limit;
     bool own;
   };
+  static constexpr Index partner_of(const Side& side) {
+    return side.partner < kFirstSlotMark ? Index{side.partner} : Index{side.partner} | 0xffff0000U;
+  }
 
   // Loading: domain_load_body.hpp.
   [[nodiscard]] Path path_at_start(const BlockFlight& flight) const;
@@ -149,10 +173,11 @@ class DomainLoop {
   [[nodiscard]] double seconds(FixedTime time) const {
     return motion_.rules().scale.seconds(time - window_.from);
   }
-  [[nodiscard]] double radius(Slot i) const { return motion_.species(disks_[i]).radius; }
+  [[nodiscard]] double radius(Slot i) const { return motion_.species(flights_[i]).radius; }
   [[nodiscard]] double* spin_of(Slot i) { return spins_.empty() ? nullptr : &spins_[i]; }
   [[nodiscard]] Vec<double> place(Slot i, FixedTime now) const;
   [[nodiscard]] Vec<double> velocity(Slot i, FixedTime now) const;
+  void note_change(Slot i, FixedTime now);
   void note_place(std::size_t i, double x, double y);
   void handle(Slot i, FixedTime now);
   void time_event(Slot i, FixedTime now);
@@ -169,7 +194,7 @@ class DomainLoop {
   [[nodiscard]] bool make_exact(Slot i, FixedTime& now, FixedTime until);
   void queue(Slot i, FixedTime time);
   [[nodiscard]] FixedTime pair_event(Slot i, Slot j) const;
-  [[nodiscard]] bool flies_far(const Disk& disk, FixedTime until) const;
+  [[nodiscard]] bool flies_far(const BlockFlight& flight, FixedTime until) const;
   void predict_exit(Slot i);
   void note_walls(Slot i);
 
@@ -177,7 +202,9 @@ class DomainLoop {
   double normal_radius_;
   double smallest_radius_ = 0;
   bool bends_;
+  bool walls_;
   bool mixed_ = false;
+  bool tracked_ = false;  ///< there may be a halo
   DomainWindow window_;
   double end_ = 0;                   ///< of the window, seconds from its start
   double near_ = 0;                  ///< lists reach so far beyond the two radii
@@ -186,16 +213,17 @@ class DomainLoop {
   std::array<double, 2> farthest_{};  ///< that a flight may go
   std::array<double, 2> pull_{};      ///< half of what gravity pulls with, either way
   Approach approach_;
-  double bend_ = 0;             ///< how far gravity bends a flight in the window
-  double bend_per_square_ = 0;  ///< the same by the square of the time
-  const BlockFlight* flights_ = nullptr;
-  const double* flight_spins_ = nullptr;
-  std::vector<Loaded> loading_;
-  HugeVector<Disk> disks_;
+  double bend_ = 0;                      ///< how far gravity bends a flight in the window
+  double bend_per_square_ = 0;           ///< the same by the square of the time
+  const BlockFlight* memory_ = nullptr;  ///< what is loaded from
+  const double* memory_spins_ = nullptr;
+  HugeVector<Loaded> loading_;
+  HugeVector<BlockFlight> flights_;
   HugeVector<Path> paths_;
   HugeVector<Side> sides_;
-  std::vector<Trip> trips_;
-  std::vector<FirstEvent> first_;  ///< while the window is started
+  HugeVector<Track> tracks_;  ///< where there is a halo
+  HugeVector<Index> memories_;
+  HugeVector<FirstEvent> first_;
   std::vector<double> spins_;
   std::vector<double> radii_;  ///< where they differ
   std::vector<Slot> large_;    ///< balls larger than normal

@@ -9,13 +9,13 @@ namespace carom::event {
 template <class P>
 bool DomainLoop<P>::advance_to(FixedTime until) {
   // So many are none of a window; EventLoop tells whether they end.
-  const std::uint64_t most = tally_.events + 1000000 + 1000 * disks_.size();
+  const std::uint64_t most = tally_.events + 1000000 + 1000 * flights_.size();
   for (Slot i = queue_.first(until - window_.from); i != kNoSlot && !unusual_;
        i = queue_.first(until - window_.from)) {
     if (++tally_.events > most) unusual_ = true;
     FixedTime now = window_.from + queue_.time(i);
     queue_.remove(i);
-    if (sides_[i].bounded != 0 && !make_exact(i, now, until)) continue;
+    if (sides_[i].bounded && !make_exact(i, now, until)) continue;
     if (tally_.events % kEventsOfSample == 0) {
       time_event(i, now);
     } else {
@@ -28,13 +28,13 @@ bool DomainLoop<P>::advance_to(FixedTime until) {
 template <class P>
 [[gnu::noinline]] void DomainLoop<P>::time_event(Slot i, FixedTime now) {
   TimedEvent<P> event;
-  event.before = disks_[i];
-  event.partner = sides_[i].partner;
+  event.before = flights_[i].disk();
+  event.partner = partner_of(sides_[i]);
   const auto j = static_cast<Slot>(event.partner);
   const bool at_ball = event.partner < kFirstMark;
-  event.other_before = at_ball ? disks_[j] : event.before;
+  event.other_before = at_ball ? flights_[j].disk() : event.before;
   handle(i, now);
-  event.after = disks_[i];
+  event.after = flights_[i].disk();
   event.until = queue_.holds(i) ? window_.from + queue_.time(i) : window_.until;
   event.spins = !spins_.empty();
   if (event.spins) {
@@ -49,12 +49,11 @@ template <class P>
 
 template <class P>
 void DomainLoop<P>::handle(Slot i, FixedTime now) {
-  const Index partner = sides_[i].partner;
-  if (partner < kFirstMark) {
-    const auto j = static_cast<Slot>(partner);
+  const Slot j = sides_[i].partner;
+  if (j < kFirstSlotMark) {
     if (sides_[j].changes != sides_[i].partner_changes) {
       // It was to meet both at one instant.
-      if (disks_[j].start == now) unusual_ = true;
+      if (flights_[j].start == now) unusual_ = true;
       ++tally_.stale;
       predict(i, now);
       return;
@@ -62,15 +61,16 @@ void DomainLoop<P>::handle(Slot i, FixedTime now) {
     meet(i, j, now);
     return;
   }
+  const Index partner = partner_of(sides_[i]);
   if (partner == kUnknown) {
     renew(i, now);
     return;
   }
   if (partner == kCarry) {
-    motion_.carry(disks_[i], now);
+    motion_.carry(flights_[i], now);
   } else {
-    const double lost = motion_.bounce(disks_[i], spin_of(i), partner, now);
-    if (sides_[i].own != 0) {
+    const double lost = motion_.bounce(flights_[i], spin_of(i), partner, now);
+    if (sides_[i].own) {
       ++tally_.walls;
       if (lost > 0) tally_.lost.push_back(lost);
     }
@@ -83,26 +83,26 @@ void DomainLoop<P>::handle(Slot i, FixedTime now) {
 // number is.
 template <class P>
 void DomainLoop<P>::meet(Slot i, Slot j, FixedTime now) {
-  const bool moves = sides_[j].fixed == 0;
+  const bool moves = !sides_[j].fixed;
   if (queue_.holds(j)) {
     if (window_.from + queue_.time(j) == now && sides_[j].partner != i &&
-        sides_[j].partner != kUnknown) {
+        sides_[j].partner != slot_mark(kUnknown)) {
       unusual_ = true;
     }
     queue_.remove(j);
   }
   const bool clusters = motion_.clusters();
-  if (clusters && moves && motion_.collapses(disks_[i], disks_[j], now)) unusual_ = true;
+  if (clusters && moves && motion_.collapses(flights_[i], flights_[j], now)) unusual_ = true;
   const typename Motion<P>::Strike strike =
-      motion_.strike(disks_[i], spin_of(i), disks_[j], spin_of(j), now);
-  if (clusters && motion_.stay_together(disks_[i], disks_[j])) unusual_ = true;
-  const bool own_i = sides_[i].own != 0;
-  const bool own_j = moves ? sides_[j].own != 0 : own_i;
+      motion_.strike(flights_[i], spin_of(i), flights_[j], spin_of(j), now);
+  if (clusters && motion_.stay_together(flights_[i], flights_[j])) unusual_ = true;
+  const bool own_i = sides_[i].own;
+  const bool own_j = moves ? bool{sides_[j].own} : own_i;
   if (own_i || own_j) {
     tally_.ball_halves += (own_i ? 1U : 0U) + (own_j ? 1U : 0U);
     tally_.max_overlap = std::max(tally_.max_overlap, strike.overlap);
     if (strike.lost > 0) {
-      const bool first = !moves || trips_[i].memory < trips_[j].memory;
+      const bool first = !moves || memories_[i] < memories_[j];
       if (first ? own_i : own_j) tally_.lost.push_back(strike.lost);
     }
   }
@@ -114,9 +114,11 @@ void DomainLoop<P>::meet(Slot i, Slot j, FixedTime now) {
 
 template <class P>
 std::size_t DomainLoop<P>::bytes() const {
-  return loading_.capacity() * sizeof(Loaded) + disks_.capacity() * sizeof(Disk) +
+  return loading_.capacity() * sizeof(Loaded) + flights_.capacity() * sizeof(BlockFlight) +
          paths_.capacity() * sizeof(Path) + sides_.capacity() * sizeof(Side) +
-         trips_.capacity() * sizeof(Trip) + lists_.bytes() + cells_.bytes() + queue_.bytes();
+         tracks_.capacity() * sizeof(Track) + memories_.capacity() * sizeof(Index) +
+         first_.capacity() * sizeof(FirstEvent) + lists_.bytes() + cells_.bytes() +
+         search_.bytes() + queue_.bytes();
 }
 
 }  // namespace carom::event

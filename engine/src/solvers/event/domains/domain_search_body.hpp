@@ -9,21 +9,21 @@ namespace carom::event {
 
 // In time t a ball goes no farther than v t + a t^2 / 2.
 template <class P>
-[[gnu::always_inline]] inline bool DomainLoop<P>::flies_far(const Disk& disk,
+[[gnu::always_inline]] inline bool DomainLoop<P>::flies_far(const BlockFlight& flight,
                                                             FixedTime until) const {
-  if (until - disk.start >= kLongestFlight) return true;
-  const double wait = motion_.rules().scale.seconds(until - disk.start);
-  const double x = (std::abs(disk.vx) + pull_[0] * wait) * wait;
-  const double y = (std::abs(disk.vy) + pull_[1] * wait) * wait;
+  if (until - flight.start >= kLongestFlight) return true;
+  const double wait = motion_.rules().scale.seconds(until - flight.start);
+  const double x = (std::abs(flight.vx) + pull_[0] * wait) * wait;
+  const double y = (std::abs(flight.vy) + pull_[1] * wait) * wait;
   return !(x < farthest_[0] && y < farthest_[1]);
 }
 
 template <class P>
 [[gnu::always_inline]] inline FixedTime DomainLoop<P>::pair_event(Slot i, Slot j) const {
   if constexpr (!P::Law::kStretches) {
-    if (!bends_) return motion_.straight_pair_event(disks_[i], disks_[j]);
+    if (!bends_) return motion_.straight_pair_event(flights_[i], flights_[j]);
   }
-  return motion_.pair_event(disks_[i], disks_[j]);
+  return motion_.pair_event(flights_[i], flights_[j]);
 }
 
 template <class P>
@@ -40,8 +40,8 @@ template <class P>
   const bool wraps = window_.wraps[0] || window_.wraps[1];
   const auto try_link = [&](Slot k) {
     if (k == i) return;
-    double x = sides_[k].x - side.x;
-    double y = sides_[k].y - side.y;
+    double x = double{sides_[k].x} - side.x;
+    double y = double{sides_[k].y} - side.y;
     if (wraps) {
       if (window_.wraps[0]) x -= periods_[0] * std::rint(x * per_period_[0]);
       if (window_.wraps[1]) y -= periods_[1] * std::rint(y * per_period_[1]);
@@ -50,7 +50,7 @@ template <class P>
     if (x * x + y * y < reach * reach) link(i, k);
   };
   if (my_radius > normal_radius_) {
-    for (std::size_t k = 0; k < disks_.size(); ++k) try_link(static_cast<Slot>(k));
+    for (std::size_t k = 0; k < flights_.size(); ++k) try_link(static_cast<Slot>(k));
   } else {
     const std::uint32_t cell = cells_.cell_at(side.x, side.y);
     if (cell != cells_.cell_of(i)) {
@@ -67,9 +67,9 @@ template <class P>
 // early.
 template <class P>
 void DomainLoop<P>::predict(Slot i, FixedTime now) {
-  if (now > sides_[i].limit) return;
-  ++tally_.predictions;
   double since = seconds(now);
+  if (since > sides_[i].limit) return;
+  ++tally_.predictions;
   if constexpr (P::Law::kStretches) {
     const double rate = motion_.law().rate;
     if (rate > 0) since = -std::expm1(-rate * since) / rate;
@@ -90,20 +90,21 @@ template <class P>
   }
   const double soonest = std::min(first, side.leaves);
   if (!(soonest < end_)) {
-    if (side.alone == 0) return;
+    if (!side.alone()) return;
     predict_exactly(i, now);
     return;
   }
   const FixedTime time =
       window_.from + static_cast<FixedTime>(soonest * motion_.rules().scale.per_second());
   const bool pair = first < side.leaves;
-  if (side.alone != 0 || (pair && time <= now)) {
+  if (side.alone() || (pair && time <= now)) {
     predict_exactly(i, now);
     return;
   }
-  side.others = std::min(others, side.leaves);
-  side.bounded = pair ? 1 : 0;
-  side.partner = pair ? Index{partner} : kUnknown;
+  const double next = std::min({others, side.leaves, end_});
+  side.others = not_later(next);
+  side.bounded = pair;
+  side.partner = pair ? partner : slot_mark(kUnknown);
   if (pair) side.partner_changes = sides_[partner].changes;
   queue(i, std::max(time, now));
 }
@@ -111,12 +112,14 @@ template <class P>
 // A ball may be followed for longer than its partner, which then knows of the two from here alone.
 template <class P>
 [[gnu::always_inline]] inline void DomainLoop<P>::queue(Slot i, FixedTime time) {
+  if (time > window_.until) return;
   const Side& side = sides_[i];
-  FixedTime last = side.limit;
-  if (side.partner < kFirstMark) {
-    last = std::max(last, sides_[static_cast<Slot>(side.partner)].limit);
+  if (side.limit < kToTheEnd) {
+    float last = side.limit;
+    if (side.partner < kFirstSlotMark) last = std::max(last, sides_[side.partner].limit);
+    if (seconds(time) > last) return;
   }
-  if (time <= std::min(window_.until, last)) queue_.add(i, time - window_.from);
+  queue_.add(i, time - window_.from);
 }
 
 // The bound of the ball's event has come up.  Gives whether the event is due, and when; where it is
@@ -124,16 +127,16 @@ template <class P>
 template <class P>
 bool DomainLoop<P>::make_exact(Slot i, FixedTime& now, FixedTime until) {
   Side& side = sides_[i];
-  const auto j = static_cast<Slot>(side.partner);
+  const Slot j = side.partner;
   if (sides_[j].changes != side.partner_changes) return true;
   const FixedTime time = pair_event(i, j);
-  side.bounded = 0;
+  side.bounded = false;
   if (time < now) unusual_ = true;
   if (time != kNever && seconds(time) < side.others) {
     // The partner mostly waits for the same event, and for nothing before it.
     const Side& other = sides_[j];
     const bool mutual = other.partner == i && other.partner_changes == side.changes &&
-                        (other.bounded == 0 || seconds(time) < other.others);
+                        (!other.bounded || seconds(time) < other.others);
     if (time <= until && queue_.precedes(time - window_.from, mutual ? j : i)) {
       now = time;
       return true;
@@ -170,7 +173,7 @@ template <class P>
       const FixedTime at = pair_event(i, j);
       if (at <= now) {
         // What is no longer followed may overlap others.
-        if (sides_[j].limit < now) continue;
+        if (sides_[j].limit < seconds(now)) continue;
         unusual_ = true;
       }
       if (at == best.time && at != kNever) unusual_ = true;
@@ -186,7 +189,7 @@ template <class P>
 // With what it meets alone, and the end of its circle.
 template <class P>
 void DomainLoop<P>::settle(Slot i, Meeting<P> best, FixedTime now) {
-  const Disk& disk = disks_[i];
+  const BlockFlight& flight = flights_[i];
   Side& side = sides_[i];
   if (side.leaves < end_) {
     const FixedTime leaves =
@@ -194,20 +197,18 @@ void DomainLoop<P>::settle(Slot i, Meeting<P> best, FixedTime now) {
                           static_cast<FixedTime>(side.leaves * motion_.rules().scale.per_second()));
     if (leaves < best.time) best = {leaves, kUnknown};
   }
-  const FixedTime soon = std::min({best.time, window_.until, side.limit});
-  if ((side.alone & kAtWall) != 0 || flies_far(disk, soon)) {
-    const Meeting<P> alone = motion_.alone(disk, soon);
+  const FixedTime soon = std::min(best.time, window_.until);
+  if (side.at_wall || flies_far(flight, soon)) {
+    const Meeting<P> alone = motion_.alone(flight, soon);
     if (alone.time <= soon) {
       if (alone.time == best.time && best.partner != kUnknown) unusual_ = true;
       if (alone.time <= now) unusual_ = true;
       best = alone;
     }
   }
-  side.bounded = 0;
-  side.partner = best.partner;
-  if (best.partner < kFirstMark) {
-    side.partner_changes = sides_[static_cast<Slot>(best.partner)].changes;
-  }
+  side.bounded = false;
+  side.partner = slot_mark(best.partner);
+  if (best.partner < kFirstMark) side.partner_changes = sides_[side.partner].changes;
   if (best.time != kNever) queue(i, best.time);
 }
 

@@ -62,6 +62,9 @@ class Domains {
   void set_workers(std::size_t workers);
   /// No window is longer, from the next `reset` on.
   void limit_windows(FixedTime longest) { wanted_longest_ = longest; }
+  /// Balls are followed to the end of a window so much farther out than those that may come near,
+  /// in spacings: an impact that is missed beyond shows at once in the next ball.
+  void follow_beyond(double spacings) { followed_ = spacings; }
   /// Gives the number of the phase to start with, Phase::kFrameDone where `until` is now.
   [[nodiscard]] std::size_t aim(FixedTime until);
   /// Counts time from `by` ticks later on.
@@ -191,7 +194,8 @@ class Domains {
   bool full_ = false;  ///< it is not the aim that ends the window
   bool by_one_loop_ = false;
   bool stuck_ = false;
-  double speed_ = 0;    ///< how far the balls of a window went, by its time: the farthest
+  double speed_ = 0;  ///< how far the balls of a window went, by its time: the farthest
+  double followed_ = 1.5;
   double pyramid_ = 0;  ///< how wide halos are beyond those followed to the end, spacings
   std::uint32_t odd_windows_ = 0;
   std::size_t tried_again_ = 0;  ///< domains, in this window

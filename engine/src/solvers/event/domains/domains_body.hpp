@@ -200,7 +200,7 @@ template <class P>
 void Domains<P>::solve_by_one_loop() {
   const std::size_t n = flights_.size();
   std::vector<Disk> disks(n);
-  for (std::size_t k = 0; k < n; ++k) disks[k] = flights_[k].template disk<Disk>();
+  for (std::size_t k = 0; k < n; ++k) disks[k] = flights_[k].disk();
   EventLoop<P> loop(motion_, n);
   loop.reset(disks, from_, {}, spins_);
   loop.advance_to(until_);
@@ -241,7 +241,7 @@ template <class P>
 auto Domains<P>::flight(std::size_t ball) const -> Disk {
   number_balls();
   const Index k = memory_[ball];
-  return open_ ? workspaces_[0].domain->disk(k) : next_[k].template disk<Disk>();
+  return (open_ ? workspaces_[0].domain->flight(k) : next_[k]).disk();
 }
 
 template <class P>

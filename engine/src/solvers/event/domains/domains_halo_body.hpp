@@ -25,7 +25,7 @@ void Domains<P>::count_blocks(Share share) {
     Vec<double> at{flight.x, flight.y};
     if (flight.start != kEver) {
       if (bends) {
-        at = motion_->place(flight.template disk<Disk>(), now_);
+        at = motion_->place(flight, now_);
       } else {
         const double since = motion_->rules().scale.seconds(now_ - flight.start);
         at = {at.x + since * flight.vx, at.y + since * flight.vy};
@@ -80,12 +80,13 @@ DomainWindow Domains<P>::window_of(Region& region) const {
   window.from = from_;
   window.until = until_;
   window.skin = skin_;
+  window.halo = !alone();
   window.collisions = collisions_of_window();
   const double displaced = kFarther * speed_ * motion_->rules().scale.seconds(until_ - from_);
-  const double full = (2 * displaced + 2 * normal_radius_ + kHaloSlack * spacing_) * region.wider;
+  const double full = (2 * displaced + 2 * normal_radius_ + followed_ * spacing_) * region.wider;
   const double wanted = full + pyramid_ * spacing_ * region.wider;
   region.covers = true;
-  region.reach = never<double>();
+  region.reach = wanted;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double half = (box.upper[axis] - box.lower[axis]) / 2;
     const double middle = box.lower[axis] + half;
@@ -103,7 +104,6 @@ DomainWindow Domains<P>::window_of(Region& region) const {
       if (size + 2 * halo < blocks_->count(axis)) {
         region.halo[axis] = halo;
         region.covers = false;
-        region.reach = std::min(region.reach, halo * side);
         window.middle[axis] = box.lower[axis] + (first + size / 2.0) * side;
         window.loaded[axis] = window.own[axis] + halo * side;
         window.whole[axis] = false;
@@ -190,13 +190,13 @@ void Domains<P>::keep(Region& region, DomainLoop<P>& domain) {
   for (std::size_t k = 0; k < domain.size(); ++k) {
     const Index memory = domain.memory(k);
     if (domain.owns(k)) {
-      const Disk& disk = domain.disk(k);
-      next_[memory] = BlockFlight::of(disk, flights_[memory].ball);
+      const BlockFlight& flight = domain.flight(k);
+      next_[memory] = flight;
       if (!spins_.empty()) next_spins_[memory] = *domain.spin(k);
       if (alone()) continue;
       outcomes_[memory] = {domain.history(k), domain.displacement(k)};
       region.displacement = std::max(region.displacement, outcomes_[memory].displacement);
-      region.radius = std::max(region.radius, motion_->species(disk).radius);
+      region.radius = std::max(region.radius, motion_->species(flight).radius);
     } else {
       region.ghosts.push_back({domain.history(k), memory, domain.distance(k), domain.followed(k)});
     }

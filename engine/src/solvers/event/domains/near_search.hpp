@@ -39,6 +39,8 @@ class NearSearch {
     radius_[k] = static_cast<float>(radius);
   }
 
+  [[nodiscard]] std::size_t bytes() const { return 3 * x_.capacity() * sizeof(float); }
+
   /// Calls visit(k) for the places from `first` to `last` that are near to place i.
   template <class Visit>
   void each_near(std::uint32_t i, std::uint32_t first, std::uint32_t last,
