@@ -184,16 +184,16 @@ TEST_F(Cost, IsTold) {
 
 /// The functions that others can call in the files of each effect.
 std::map<std::string, Names> functions_of_effects() {
-  const std::map<std::string, std::string> kEffectOfFile{{"walls.cpp.o", "walls"},
-                                                         {"collisions.cpp.o", "collisions"},
-                                                         {"contact_group.cpp.o", "collisions"},
-                                                         {"wall_contacts.cpp.o", "walls"},
-                                                         {"ball_contact.cpp.o", "collisions"},
-                                                         {"island_friction.cpp.o", "friction"},
-                                                         {"gravity.cpp.o", "gravity"},
-                                                         {"drag.cpp.o", "drag"},
-                                                         {"friction.cpp.o", "friction"},
-                                                         {"attraction.cpp.o", "attraction"}};
+  const std::map<std::string, std::string> effect_of_file{{"walls.cpp.o", "walls"},
+                                                          {"collisions.cpp.o", "collisions"},
+                                                          {"contact_group.cpp.o", "collisions"},
+                                                          {"wall_contacts.cpp.o", "walls"},
+                                                          {"ball_contact.cpp.o", "collisions"},
+                                                          {"island_friction.cpp.o", "friction"},
+                                                          {"gravity.cpp.o", "gravity"},
+                                                          {"drag.cpp.o", "drag"},
+                                                          {"friction.cpp.o", "friction"},
+                                                          {"attraction.cpp.o", "attraction"}};
   const auto outcome = support::run({"/usr/bin/nm", "--defined-only", CAROM_ENGINE});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   std::map<std::string, Names> functions;
@@ -201,8 +201,8 @@ std::map<std::string, Names> functions_of_effects() {
   std::istringstream lines(outcome.out);
   for (std::string line; std::getline(lines, line);) {
     if (line.ends_with(".o:")) {
-      const auto found = kEffectOfFile.find(line.substr(0, line.size() - 1));
-      effect = found == kEffectOfFile.end() ? "" : found->second;
+      const auto found = effect_of_file.find(line.substr(0, line.size() - 1));
+      effect = found == effect_of_file.end() ? "" : found->second;
     } else if (!effect.empty() && (line.find(" T _ZN5carom7effects") != std::string::npos ||
                                    line.find(" T _ZN5carom7contact") != std::string::npos)) {
       functions[effect].insert(line.substr(line.rfind(' ') + 1));

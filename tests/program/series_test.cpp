@@ -68,15 +68,15 @@ TEST(Series, ThePressureOnTheWallsOfADiluteGasIsThatOfTheVirial) {
     ++hits;
   }
   const auto rows = run.table("series");
-  const double kT = number(rows.back(), "kinetic") / 100;
+  const double temperature = number(rows.back(), "kinetic") / 100;
   const double side = 10 - 2 * 0.01;
-  const double ideal = 100 * kT / (side * side);
+  const double ideal = 100 * temperature / (side * side);
   // Hits come nearly at random; the mean square of their impulses is 4/pi of the squared mean.
   const double error = ideal * std::sqrt(1.3 / static_cast<double>(hits));
   EXPECT_LT(error, 0.02 * ideal);
   EXPECT_NEAR(push / (4 * side * 400), ideal, 3 * error);
   const auto [virial, spread] = mean_and_error(rows, "pressure", 1);
-  EXPECT_NEAR(virial, 100 * kT / 100, 3 * spread + 0.02);
+  EXPECT_NEAR(virial, 100 * temperature / 100, 3 * spread + 0.02);
 }
 
 }  // namespace

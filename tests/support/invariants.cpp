@@ -45,7 +45,7 @@ std::string difference(const std::string& a, const std::string& b) {
   std::string line_a;
   std::string line_b;
   while (std::getline(lines_a, line_a) && std::getline(lines_b, line_b)) {
-    if (line_a != line_b) return line_a + "\n  instead of\n" + line_b;
+    if (line_a != line_b) return line_a.append("\n  instead of\n").append(line_b);
   }
   return "one is longer";
 }

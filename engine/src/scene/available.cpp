@@ -60,17 +60,6 @@ constexpr std::array kUnavailable{
 
 }  // namespace
 
-bool shares_the_plane(const Scene& scene) {
-  const Effects& effects = scene.effects;
-  const bool falls = effects.gravity.has_value();
-  const bool bends = falls || effects.drag;
-  const bool fixed_disks = bends && std::any_of(scene.balls.begin(), scene.balls.end(),
-                                                [](const Ball& b) { return b.fixed; });
-  return flies_in_closed_form(scene) && effects.collisions && !effects.friction && !fixed_disks &&
-         scene.solver.digits == 16 && !(bends && loses_energy(scene)) && !(falls && effects.drag) &&
-         !(falls && (scene.box.periodic[0] || scene.box.periodic[1]));
-}
-
 std::vector<Problem> find_unavailable(const Scene& scene, Method method) {
   std::vector<Problem> problems;
   for (const Unavailable& entry : kUnavailable) {

@@ -10,7 +10,4 @@ namespace carom::scene {
 /// What the scene names and this method cannot do; empty: it can be computed with it.
 std::vector<Problem> find_unavailable(const Scene& scene, Method method);
 
-/// Whether method `event` lets several workers share the plane, given that the balls are many.
-bool shares_the_plane(const Scene& scene);
-
 }  // namespace carom::scene

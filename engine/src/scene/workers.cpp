@@ -2,7 +2,7 @@
 #include <thread>
 
 #include "carom/scene.hpp"
-#include "scene/available.hpp"
+#include "effects/domains_suit.hpp"
 
 namespace carom {
 
@@ -15,10 +15,20 @@ constexpr std::size_t kManyToStep = 20'000;     // balls of overlap, some 20 ns 
 constexpr std::size_t kManyToAttract = 300;     // each attracts each: some 50 us or more
 constexpr std::size_t kManyToForesee = 20'000;  // balls of event, in windows that hold thousands
 
+// Method event shares domains of the plane.  Which balls touch at the start is not known yet: those
+// that gravity presses together are few, or the scene has losses.
+bool has_domains(const Scene& scene) {
+  const bool fixed = std::any_of(scene.balls.begin(), scene.balls.end(),
+                                 [](const Ball& ball) { return ball.fixed; });
+  const Effects& effects = scene.effects;
+  const bool rests = loses_energy(scene) || (effects.gravity && effects.friction);
+  return scene.solver.digits == 16 && domains_suit(effects, scene.box.periodic, fixed, rests);
+}
+
 bool gains_by_sharing(const Scene& scene, std::size_t balls) {
   if (scene.effects.attraction) return balls >= kManyToAttract;
   if (choose_method(scene).method == Method::overlap) return balls >= kManyToStep;
-  return balls >= kManyToForesee && scene::shares_the_plane(scene);
+  return balls >= kManyToForesee && has_domains(scene);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "contact/impact_log.hpp"
 #include "contact/joint_impact.hpp"
 #include "contact/rest_rules.hpp"
+#include "solvers/event/counts.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/energy_book.hpp"
 #include "solvers/event/event_queue.hpp"
@@ -45,36 +46,6 @@ inline constexpr int kMostJams = 1000;
 inline constexpr int kMostDoublings = 12;
 /// How often what an island's contacts hold, and the energy it keeps, are seen to in turn.
 inline constexpr int kMostTurns = 32;
-
-/// What has happened so far.
-struct Counts {
-  std::uint64_t ball_ball = 0;
-  std::uint64_t ball_wall = 0;
-  std::uint64_t renewals = 0;       ///< squares left: neighbours listed again
-  std::uint64_t predictions = 0;    ///< searches for the next impact of a ball
-  std::uint64_t stale = 0;          ///< of them, because its partner had met another
-  std::uint64_t joint_impacts = 0;  ///< of several contacts at one instant
-  std::uint64_t jammed = 0;         ///< contacts without a gap, with speed across: see JointReport
-  std::uint64_t resting_contacts = 0;  ///< came to rest
-  std::uint64_t wakes = 0;             ///< islands at rest that were hit
-  std::uint64_t steps = 0;             ///< of islands
-  double max_overlap = 0;              ///< deepest overlap at an impact / smaller radius
-
-  Counts& operator+=(const Counts& other) {
-    ball_ball += other.ball_ball;
-    ball_wall += other.ball_wall;
-    renewals += other.renewals;
-    predictions += other.predictions;
-    stale += other.stale;
-    joint_impacts += other.joint_impacts;
-    jammed += other.jammed;
-    resting_contacts += other.resting_contacts;
-    wakes += other.wakes;
-    steps += other.steps;
-    max_overlap = std::max(max_overlap, other.max_overlap);
-    return *this;
-  }
-};
 
 /// Balls and their impacts in the order of time.
 ///

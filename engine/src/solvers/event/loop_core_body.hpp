@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
 
 #include "carom/scene_file.hpp"
+#include "effects/domains_suit.hpp"
 #include "solvers/event/loop_core.hpp"
 #include "solvers/event/saved_flight.hpp"
 #include "state/totals.hpp"
@@ -220,23 +222,17 @@ void LoopCore<P>::sort_again() {
 /// loop.
 template <class P>
 bool LoopCore<P>::suits_domains() const {
-  if (!kShares || no_domains_ || log_.wanted || !effects_.collisions) return false;
-  const bool loses = loses_energy(effects_);
-  if (rests_ && (effects_.gravity || !loses)) return false;
+  if (!kShares || no_domains_ || log_.wanted) return false;
   const std::size_t least = workers_ > 1 ? workers_ * sharing_.balls_of_worker : 0;
   if (balls_.size() < std::max(least, sharing_.least_balls)) return false;
-  const bool bends = effects_.gravity || effects_.drag;
-  // What drag takes is known by the time alone where nothing else takes energy.
-  if (effects_.drag && (effects_.gravity || effects_.friction || loses)) return false;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    // Domains do not count how often a ball goes round.
-    if (domain_.period[axis] > 0 && gravity_of(effects_)[axis] != 0) return false;
-  }
+  const bool fixed =
+      std::any_of(balls_.begin(), balls_.end(), [](const Ball& ball) { return ball.fixed; });
+  const std::array<bool, 2> periodic{domain_.period[0] > 0, domain_.period[1] > 0};
+  if (!domains_suit(effects_, periodic, fixed, rests_)) return false;
   const double least_period = std::min(domain_.period[0] > 0 ? domain_.period[0] : HUGE_VAL,
                                        domain_.period[1] > 0 ? domain_.period[1] : HUGE_VAL);
-  return std::none_of(balls_.begin(), balls_.end(), [&](const Ball& ball) {
-    return (bends && ball.fixed) || least_period < kLeastPeriod * ball.radius;
-  });
+  return std::none_of(balls_.begin(), balls_.end(),
+                      [&](const Ball& ball) { return least_period < kLeastPeriod * ball.radius; });
 }
 
 template <class P>

@@ -12,6 +12,7 @@
 #include "solvers/event/groups/path.hpp"
 #include "solvers/event/groups/path_meeting.hpp"
 #include "solvers/event/groups/region_pairs.hpp"
+#include "solvers/event/groups/tracks.hpp"
 #include "solvers/event/groups/window_book.hpp"
 #include "solvers/event/groups/window_length.hpp"
 
@@ -43,8 +44,9 @@ namespace carom::event {
 /// A contact that lasts joins balls without an impact: those that touch at the start of a window
 /// are in one group or in none.  Fixed balls never change.
 ///
-/// Which balls are of one group: conflict_sets.hpp; how one is solved: group_loop.hpp; whether two
-/// paths meet: path_meeting.hpp; how long a window is: window_length.hpp.
+/// What is known of each ball: tracks.hpp; which balls are of one group: conflict_sets.hpp; how one
+/// is solved: group_loop.hpp; whether two paths meet: path_meeting.hpp; how long a window is:
+/// window_length.hpp.
 ///
 /// Threads: `work` for the workers; the other members while no phase runs.  What a phase reads is
 /// written by no other worker in it: a worker writes the paths of its balls, or of the members of
@@ -84,11 +86,9 @@ class ConflictGroups {
   [[nodiscard]] std::size_t finish(std::size_t phase);
 
   [[nodiscard]] At now() const { return now_; }
-  [[nodiscard]] const Disk& flight(std::size_t ball) const {
-    return tracks_[ball].path.back().flight;
-  }
-  [[nodiscard]] Index left(std::size_t ball) const { return tracks_[ball].path.back().left; }
-  [[nodiscard]] const S& spin(std::size_t ball) const { return tracks_[ball].path.back().spin; }
+  [[nodiscard]] const Disk& flight(std::size_t ball) const { return tracks_.last(ball).flight; }
+  [[nodiscard]] Index left(std::size_t ball) const { return tracks_.last(ball).left; }
+  [[nodiscard]] const S& spin(std::size_t ball) const { return tracks_.last(ball).spin; }
   [[nodiscard]] const Motion<P>& motion() const { return *motion_; }
   [[nodiscard]] const Counts& counts() const { return book_.counts(); }
   [[nodiscard]] Costs costs() const;
@@ -97,9 +97,9 @@ class ConflictGroups {
   /// How often each ball was brought back round a periodic axis that gravity pulls along, since
   /// `reset`; empty for other axes.
   [[nodiscard]] const Turns& turns() const { return book_.turns(); }
-  [[nodiscard]] double given_ahead(At now) const;
+  [[nodiscard]] double given_ahead(At now) const { return tracks_.given_ahead(now); }
   /// Balls that rest on this one, or carry it, move again.
-  void wake_around(std::size_t ball, At now);
+  void wake_around(std::size_t ball, At now) { tracks_.wake_around(ball, now); }
 
   /// Windows so far, how often groups were solved, and the largest group.
   [[nodiscard]] std::uint64_t windows() const { return windows_; }
@@ -107,17 +107,9 @@ class ConflictGroups {
   [[nodiscard]] std::size_t largest() const { return largest_; }
 
  private:
-  using Path = typename Paths<P>::Path;
-  using PathBall = typename PathMeeting<P>::Ball;
+  using Track = typename Tracks<P>::Track;
+  using PathBall = typename Tracks<P>::PathBall;
 
-  /// What is known of a ball in the present window.
-  struct Track {
-    Segment<P> first;  ///< what it begins the window with
-    Path path;         ///< from then on
-    Bounds box;        ///< swept by its centre
-    WindowOutcome outcome;
-    bool changed = false;  ///< since the pairs were looked at the last time
-  };
   struct alignas(128) Workspace {
     GroupLoop<P> loop;
     std::vector<Encounter> encounters;
@@ -138,26 +130,17 @@ class ConflictGroups {
   [[nodiscard]] std::size_t merge();
   [[nodiscard]] std::size_t end_window();
 
-  [[nodiscard]] double take(std::size_t ball, Segment<P> segment);
-  [[nodiscard]] bool flies_on(const Segment<P>& segment) const;
   /// REQUIRES: the workspace's loop has its members.
   void solve(Index root, Workspace& workspace);
-  void set_box(Index ball);
-  [[nodiscard]] bool inside_region(Index ball) const;
-  [[nodiscard]] PathBall path_of(Index ball) const;
   void list_pairs();
   [[nodiscard]] bool any_outside() const;
   void measure();
 
   std::shared_ptr<const Motion<P>> motion_;
-  std::vector<Track> tracks_;
-  std::vector<Index> movers_;
-  std::vector<char> fixed_;
-  std::vector<double> radii_;
+  Tracks<P> tracks_;
   std::vector<Workspace> workspaces_;
 
   RegionPairs region_pairs_;
-  std::vector<Bounds> regions_;
   double margin_ = 0;    ///< of a region around the path it was made for
   bool listed_ = false;  ///< the pairs of the present regions
 

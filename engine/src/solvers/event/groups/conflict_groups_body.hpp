@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "solvers/event/groups/conflict_groups.hpp"
-#include "solvers/event/groups/path_box.hpp"
 #include "state/stopwatch.hpp"
 
 namespace carom::event {
@@ -11,74 +10,31 @@ namespace carom::event {
 template <class P>
 ConflictGroups<P>::ConflictGroups(const BasicRules<S>& rules)
     : motion_(std::make_shared<const Motion<P>>(rules)),
+      tracks_(motion_),
       workspaces_(1),
       region_pairs_(rules.domain) {}
 
 template <class P>
 void ConflictGroups<P>::reset(const std::vector<Disk>& flights, At now,
                               const std::vector<Index>& left, const std::vector<S>& spins) {
-  const std::size_t n = flights.size();
   now_ = now;
   until_ = now;
   target_ = now;
-  tracks_.assign(n, {});
-  fixed_.assign(n, 0);
-  radii_.resize(n);
-  regions_.resize(n);
-  movers_.clear();
   listed_ = false;
   const auto& rules = motion_->rules();
-  book_.reset(n, {rules.falls_round(0), rules.falls_round(1)});
-  double supported_loss = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    supported_loss +=
-        take(i, {flights[i], left.empty() ? kUnknown : left[i], spins.empty() ? S(0) : spins[i]});
-  }
-  if (supported_loss != 0) book_.lose(supported_loss);
-  sets_.reset(fixed_);
+  book_.reset(flights.size(), {rules.falls_round(0), rules.falls_round(1)});
+  const double lost = tracks_.reset(flights, now, left, spins);
+  if (lost != 0) book_.lose(lost);
+  sets_.reset(tracks_.fixed());
   measure();
   length_.start_over();
 }
 
-// Gives what walls take at once from a ball that begins now and that they support.
-template <class P>
-double ConflictGroups<P>::take(std::size_t ball, Segment<P> segment) {
-  Disk& flight = segment.flight;
-  double lost = 0;
-  radii_[ball] = static_cast<double>(motion_->species(flight).radius);
-  if (motion_->fixed(flight)) {
-    fixed_[ball] = 1;
-    flight.start = P::Clock::ever();
-  } else {
-    movers_.push_back(static_cast<Index>(ball));
-    const unsigned support = motion_->support(flight);
-    if (motion_->contacts_last() && support != kLying && support < kResting &&
-        flight.start == now_) {
-      S* spin = motion_->rules().spins ? &segment.spin : nullptr;
-      lost = std::max(motion_->support_on_walls(flight, spin), 0.0);
-    }
-  }
-  tracks_[ball].first = segment;
-  tracks_[ball].path.push_back(segment);
-  set_box(static_cast<Index>(ball));
-  return lost;
-}
-
 template <class P>
 void ConflictGroups<P>::measure() {
-  double speeds = 0;
-  double diameters = 0;
-  for (const Index i : movers_) {
-    const Disk& disk = flight(i);
-    const auto x = static_cast<double>(disk.vx);
-    const auto y = static_cast<double>(disk.vy);
-    speeds += x * x + y * y;
-    diameters += 2 * radii_[i];
-  }
-  const auto& rules = motion_->rules();
-  const Spacing spacing(movers_.size(), speeds, diameters, rules.domain, rules.gravity);
-  margin_ = spacing.margin(rules.domain.period);
-  length_.measure(spacing, rules.scale);
+  const Spacing spacing = tracks_.spacing();
+  margin_ = spacing.margin(motion_->rules().domain.period);
+  length_.measure(spacing, motion_->rules().scale);
 }
 
 template <class P>
@@ -131,28 +87,19 @@ void ConflictGroups<P>::fly(Share share) {
   Workspace& workspace = workspaces_[share.index];
   const Stopwatch stopwatch(true, workspace.wall_seconds);
   workspace.outside = false;
-  const std::size_t end = share.end(movers_.size());
-  for (std::size_t k = share.begin(movers_.size()); k < end; ++k) {
-    const Index i = movers_[k];
-    Track& track = tracks_[i];
-    // The window begins with the flight that the one before has ended with.
-    track.first = track.path.back();
-    track.path.assign(1, track.first);
-    if (flies_on(track.first)) {
-      set_box(i);
+  const std::vector<Index>& movers = tracks_.movers();
+  const std::size_t end = share.end(movers.size());
+  for (std::size_t k = share.begin(movers.size()); k < end; ++k) {
+    const Index i = movers[k];
+    tracks_.begin(i);
+    if (tracks_.flies_on(i, until_)) {
+      tracks_.set_box(i, now_, until_);
     } else {
       workspace.loop.members().assign(1, i);
       solve(i, workspace);
     }
-    workspace.outside = workspace.outside || !inside_region(i);
+    workspace.outside = workspace.outside || !tracks_.inside_region(i);
   }
-}
-
-template <class P>
-bool ConflictGroups<P>::flies_on(const Segment<P>& segment) const {
-  if (motion_->support(segment.flight) >= kStepped) return false;
-  const S* spin = motion_->rules().spins ? &segment.spin : nullptr;
-  return motion_->alone(segment.flight, until_, spin).time > until_;
 }
 
 template <class P>
@@ -162,6 +109,7 @@ void ConflictGroups<P>::test_pairs(Share share) {
   workspace.encounters.clear();
   workspace.touching.clear();
   const std::vector<RegionPair>& pairs = region_pairs_.pairs();
+  const std::vector<double>& radii = tracks_.radii();
   const std::array<double, 2>& periods = motion_->rules().domain.period;
   const PathMeeting<P> paths(*motion_, until_);
   const std::size_t end = share.end(pairs.size());
@@ -170,9 +118,9 @@ void ConflictGroups<P>::test_pairs(Share share) {
     const Track& a = tracks_[i];
     const Track& b = tracks_[j];
     if (!first_pass_ && !a.changed && !b.changed) continue;
-    if (!a.box.near(b.box, (radii_[i] + radii_[j]) * kWidest, periods)) continue;
-    const PathBall one = path_of(i);
-    const PathBall other = path_of(j);
+    if (!a.box.near(b.box, (radii[i] + radii[j]) * kWidest, periods)) continue;
+    const PathBall one = tracks_.path_of(i);
+    const PathBall other = tracks_.path_of(j);
     if (first_pass_ && paths.touch_at_start(one, other, now_)) workspace.touching.push_back({i, j});
     if (sets_.together(i, j)) continue;
     const bool lasting = paths.lasts(one, other);
@@ -203,34 +151,17 @@ void ConflictGroups<P>::solve(Index root, Workspace& workspace) {
   const std::vector<Index>& members = loop.members();
   for (std::size_t k = 0; k < members.size(); ++k) {
     const Index i = members[k];
-    if (fixed_[i] != 0) continue;
+    if (tracks_.fixed()[i] != 0) continue;
     Track& track = tracks_[i];
     loop.copy_path(k, track.path);
     track.changed = true;
     track.outcome.clear();
     track.outcome.turns = loop.turns(k);
     workspace.solved.push_back(i);
-    set_box(i);
-    workspace.outside = workspace.outside || !inside_region(i);
+    tracks_.set_box(i, now_, until_);
+    workspace.outside = workspace.outside || !tracks_.inside_region(i);
   }
   loop.take_outcome(tracks_[root].outcome);
-}
-
-template <class P>
-void ConflictGroups<P>::set_box(Index ball) {
-  Track& track = tracks_[ball];
-  track.box = fixed_[ball] != 0 ? box_of_fixed<P>(track.path.front().flight)
-                                : box_of_path<P>(*motion_, track.path, now_, until_);
-}
-
-template <class P>
-bool ConflictGroups<P>::inside_region(Index ball) const {
-  return regions_[ball].contains(tracks_[ball].box, motion_->rules().domain.period);
-}
-
-template <class P>
-typename ConflictGroups<P>::PathBall ConflictGroups<P>::path_of(Index ball) const {
-  return {ball, fixed_[ball] != 0, tracks_[ball].path};
 }
 
 // --- between two phases -----------------------------------------------------------------------
@@ -251,13 +182,9 @@ bool ConflictGroups<P>::any_outside() const {
 
 template <class P>
 void ConflictGroups<P>::list_pairs() {
-  for (std::size_t i = 0; i < tracks_.size(); ++i) {
-    regions_[i] = tracks_[i].box;
-    if (fixed_[i] != 0) continue;
-    for (double& half : regions_[i].half) half += margin_;
-  }
+  tracks_.set_regions(margin_);
   measure();
-  region_pairs_.build(regions_, radii_, fixed_, kWidest);
+  region_pairs_.build(tracks_.regions(), tracks_.radii(), tracks_.fixed(), kWidest);
   listed_ = true;
 }
 
@@ -295,7 +222,7 @@ std::size_t ConflictGroups<P>::end_window() {
   now_ = until_;
   ++windows_;
   passes_ += cost_.passes;
-  length_.learn(cost_, movers_.size());
+  length_.learn(cost_, tracks_.movers().size());
   if (now_ == target_) return Phase::kFrameDone;
   return begin_window();
 }
@@ -304,13 +231,8 @@ std::size_t ConflictGroups<P>::end_window() {
 
 template <class P>
 void ConflictGroups<P>::rebase(At by) {
+  tracks_.rebase(by);
   const Time& shift = by;
-  for (Track& track : tracks_) {
-    if (track.first.flight.start != P::Clock::ever()) track.first.flight.start -= shift;
-    for (Segment<P>& segment : track.path) {
-      if (segment.flight.start != P::Clock::ever()) segment.flight.start -= shift;
-    }
-  }
   now_ -= shift;
   until_ -= shift;
   target_ -= shift;
@@ -325,34 +247,6 @@ Costs ConflictGroups<P>::costs() const {
     costs.walls += workspace.wall_seconds;
   }
   return costs;
-}
-
-template <class P>
-double ConflictGroups<P>::given_ahead(At now) const {
-  double sum = 0;
-  const int shift = motion_->step_shift();
-  if (!(motion_->pull() > 0)) return sum;
-  const Time next = P::Clock::span(P::Clock::steps(now, shift) + 1, shift);
-  for (const Index i : movers_) {
-    const Disk& disk = flight(i);
-    if (motion_->support(disk) == kStepped) sum += motion_->given_ahead(disk, now, next);
-  }
-  return sum;
-}
-
-template <class P>
-void ConflictGroups<P>::wake_around(std::size_t ball, At now) {
-  if (!motion_->contacts_last() || !motion_->rules().collisions) return;
-  const Disk& gone = flight(ball);
-  const Vec<S> here = motion_->wrapped(motion_->place(gone, now));
-  for (const Index j : movers_) {
-    Disk& disk = tracks_[j].path.back().flight;
-    if (j == ball) continue;
-    if (motion_->support(disk) != kResting && motion_->support(disk) != kLying) continue;
-    const S reach = motion_->species(gone).radius + motion_->species(disk).radius;
-    if (!near(motion_->way(here, motion_->place(disk, now)), reach, S(kNear))) continue;
-    motion_->set_support(disk, kJoins);
-  }
 }
 
 }  // namespace carom::event

@@ -7,7 +7,7 @@
 
 #include "carom/impact.hpp"
 #include "numbers/exact_sum.hpp"
-#include "solvers/event/event_loop.hpp"
+#include "solvers/event/counts.hpp"
 #include "state/totals.hpp"
 
 namespace carom::event {
