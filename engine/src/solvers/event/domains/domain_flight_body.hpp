@@ -156,7 +156,13 @@ template <class P>
   const Side& side = sides_[i];
   if (!bends_) {
     const Path& path = paths_[i];
-    return leaves_circle({path.x - side.x, path.y - side.y}, {path.vx, path.vy}, window_.skin);
+    const Vec<double> off{path.x - side.x, path.y - side.y};
+    if (tracked_) {
+      // In a window that is so short most are still in it at the end.
+      const Vec<double> last{off.x + end_ * path.vx, off.y + end_ * path.vy};
+      if (last.x * last.x + last.y * last.y < skin_square_) return never<double>();
+    }
+    return leaves_circle(off, {path.vx, path.vy}, window_.skin);
   }
   const Vec<double> at = place(i, now);
   const Vec<double> off{at.x - side.x, at.y - side.y};

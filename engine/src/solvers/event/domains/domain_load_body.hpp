@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "solvers/event/domains/domain_loop.hpp"
 
@@ -43,6 +45,7 @@ void DomainLoop<P>::begin(const DomainWindow& window, const BlockFlight* memory,
   end_ = seconds(window.until);
   bend_per_square_ = std::hypot(pull_[0], pull_[1]);
   bend_ = bend_per_square_ * end_ * end_ / 4;
+  skin_square_ = window.skin * window.skin * (1 - 0x1p-20);
   near_ = 2 * window.skin * (1 + 0x1p-20);
   loading_.clear();
   unusual_ = false;
@@ -111,15 +114,16 @@ bool DomainLoop<P>::start() {
     if (window_.wraps[axis]) wrapped[axis] = periods_[axis];
   }
   cells_.reset(window_.loaded, wrapped, (2 * normal_radius_ + near_) * (1 + 0x1p-20), n);
-  search_.reset(n, window_.loaded, wrapped, near_);
+  mixed_ = !motion_.one_species();
+  search_.reset(n, window_.loaded, wrapped, near_,
+                mixed_ ? std::nullopt : std::optional<double>(smallest_radius_));
   queue_.reset(n, window_.until - window_.from + 1, window_.collisions / 2);
   lists_.reset(n);
-  mixed_ = !motion_.one_species();
   sort_into_slots();
   const double slack = kSlackOfRadius * smallest_radius_ +
                        kSlackOfBox * (std::abs(window_.middle[0]) + window_.loaded[0] +
                                       std::abs(window_.middle[1]) + window_.loaded[1]);
-  approach_ = Approach(wrapped, n == 0 ? 1 : radius(0), mixed_ ? radii_.data() : nullptr, slack);
+  approach_ = Approach(wrapped, smallest_radius_, mixed_ ? radii_.data() : nullptr, slack);
   list_all();
   first_events();
   return !unusual_;
@@ -157,12 +161,13 @@ void DomainLoop<P>::sort_into_slots() {
     side.y = ball.y;
     side.limit = ball.limit;
     side.own = ball.own;
-    side.fixed = motion_.fixed(flight);
+    const auto& species = motion_.species(flight);
+    const double r = species.radius;
+    side.fixed = species.fixed();
     if (tracked_) {
       tracks_[k] = {0, static_cast<float>(path.x), static_cast<float>(path.y), 0, ball.distance};
     }
     if (!spins_.empty()) spins_[k] = memory_spins_[ball.memory];
-    const double r = motion_.species(flight).radius;
     if (mixed_) radii_[k] = r;
     search_.set(k, ball.x, ball.y, r);
     if (r > normal_radius_) {
@@ -213,28 +218,41 @@ void DomainLoop<P>::list_all() {
   const Cells& plane = cells_.plane();
   const int columns = static_cast<int>(plane.count(0));
   const int rows = static_cast<int>(plane.count(1));
+  /// Slots in a row.
+  struct Run {
+    std::uint32_t first;
+    std::uint32_t last;
+  };
   for (int y = 0; y < rows; ++y) {
     const bool has_next = y + 1 < rows || plane.wraps(1);
     const int next = (y + 1 < rows ? y + 1 : 0) * columns;
     for (int x = 0; x < columns; ++x) {
       const int c = y * columns + x;
+      const bool at_end = x + 1 == columns;
+      // What is near and later: the rest of the cell with the next one, and others.
+      const std::uint32_t end = end_of(at_end ? c : c + 1);
+      std::array<Run, 3> others;
+      std::size_t runs = 0;
+      if (at_end && plane.wraps(0)) {
+        others[runs++] = {begin_of(y * columns), end_of(y * columns)};
+      }
+      if (has_next) {
+        const int last = next + columns - 1;
+        others[runs++] = {begin_of(next + std::max(x - 1, 0)),
+                          end_of(std::min(next + x + 1, last))};
+        if (plane.wraps(0) && x == 0) others[runs++] = {begin_of(last), end_of(last)};
+        if (plane.wraps(0) && at_end) others[runs++] = {begin_of(next), end_of(next)};
+      }
       for (std::uint32_t i = begin_of(c); i < end_of(c); ++i) {
         if (any_large && is_large(i)) continue;
         const auto me = static_cast<Slot>(i);
         const std::uint32_t from = lists_.size(me);
-        const auto seek = [&](std::uint32_t first, std::uint32_t last) {
-          search_.each_near(i, first, last, [&](std::uint32_t k) {
-            if (!any_large || !is_large(k)) link(me, static_cast<Slot>(k));
-          });
+        const auto try_link = [&](std::uint32_t k) {
+          if (!any_large || !is_large(k)) link(me, static_cast<Slot>(k));
         };
-        const bool at_end = x + 1 == columns;
-        seek(i + 1, end_of(at_end ? c : c + 1));
-        if (at_end && plane.wraps(0)) seek(begin_of(y * columns), end_of(y * columns));
-        if (has_next) {
-          seek(begin_of(next + std::max(x - 1, 0)), end_of(next + std::min(x + 1, columns - 1)));
-          if (plane.wraps(0) && x == 0)
-            seek(begin_of(next + columns - 1), end_of(next + columns - 1));
-          if (plane.wraps(0) && at_end) seek(begin_of(next), end_of(next));
+        search_.each_near(i, i + 1, end, try_link);
+        for (std::size_t r = 0; r < runs; ++r) {
+          search_.each_near(i, others[r].first, others[r].last, try_link);
         }
         pair_up(me, from);
       }

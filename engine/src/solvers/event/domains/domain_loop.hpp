@@ -207,6 +207,7 @@ class DomainLoop {
   bool tracked_ = false;  ///< there may be a halo
   DomainWindow window_;
   double end_ = 0;                   ///< of the window, seconds from its start
+  double skin_square_ = 0;           ///< a little less
   double near_ = 0;                  ///< lists reach so far beyond the two radii
   std::array<double, 2> periods_{};  ///< of the periodic axes
   std::array<double, 2> per_period_{};

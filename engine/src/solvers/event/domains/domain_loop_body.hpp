@@ -48,7 +48,7 @@ template <class P>
 }
 
 template <class P>
-void DomainLoop<P>::handle(Slot i, FixedTime now) {
+[[gnu::always_inline]] inline void DomainLoop<P>::handle(Slot i, FixedTime now) {
   const Slot j = sides_[i].partner;
   if (j < kFirstSlotMark) {
     if (sides_[j].changes != sides_[i].partner_changes) {

@@ -66,7 +66,7 @@ template <class P>
 // The earliest event of the ball from now on: of a pair a lower bound, where nothing else comes as
 // early.
 template <class P>
-void DomainLoop<P>::predict(Slot i, FixedTime now) {
+[[gnu::noinline]] void DomainLoop<P>::predict(Slot i, FixedTime now) {
   double since = seconds(now);
   if (since > sides_[i].limit) return;
   ++tally_.predictions;

@@ -63,8 +63,8 @@ class Domains {
   /// No window is longer, from the next `reset` on.
   void limit_windows(FixedTime longest) { wanted_longest_ = longest; }
   /// Balls are followed to the end of a window so much farther out than those that may come near,
-  /// in spacings: an impact that is missed beyond shows at once in the next ball.
-  void follow_beyond(double spacings) { followed_ = spacings; }
+  /// in diameters: an impact that is missed beyond shows at once in the next ball.
+  void follow_beyond(double diameters) { followed_ = diameters; }
   /// Gives the number of the phase to start with, Phase::kFrameDone where `until` is now.
   [[nodiscard]] std::size_t aim(FixedTime until);
   /// Counts time from `by` ticks later on.

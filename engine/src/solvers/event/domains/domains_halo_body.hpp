@@ -83,7 +83,9 @@ DomainWindow Domains<P>::window_of(Region& region) const {
   window.halo = !alone();
   window.collisions = collisions_of_window();
   const double displaced = kFarther * speed_ * motion_->rules().scale.seconds(until_ - from_);
-  const double full = (2 * displaced + 2 * normal_radius_ + followed_ * spacing_) * region.wider;
+  const double beyond = followed_ * std::min(spacing_, 2 * normal_radius_);
+  const double full =
+      (2 * displaced + 2 * normal_radius_ + beyond + kHaloSlack * spacing_) * region.wider;
   const double wanted = full + pyramid_ * spacing_ * region.wider;
   region.covers = true;
   region.reach = wanted;
@@ -250,7 +252,7 @@ std::size_t Domains<P>::judge() {
   }
   // About one domain in twenty is solved again.
   const double part = static_cast<double>(tried_again_) / static_cast<double>(regions_.size());
-  const double wider = part > 0.2 ? 1.2 : part > 0.06 ? 1.05 : 0.99;
+  const double wider = part > 0.2 ? 1.2 : part > 0.06 ? 1.05 : part > 0 ? 0.99 : 0.98;
   pyramid_ = std::clamp(pyramid_ * wider, 1.0, 40.0);
   tried_again_ = 0;
   const double span = motion_->rules().scale.seconds(until_ - from_);

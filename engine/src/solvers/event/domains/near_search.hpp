@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "solvers/event/lanes.hpp"
@@ -20,23 +21,30 @@ class NearSearch {
   static constexpr std::uint32_t kAtATime = 8;
 
   /// `half`: of the plane that the places are in, from its middle; `periods`: 0 where an axis does
-  /// not wrap; `reach`: to be near, without the two radii.
+  /// not wrap; `reach`: to be near, without the two radii; `radius`: where all have the same.
   void reset(std::size_t balls, const std::array<double, 2>& half,
-             const std::array<double, 2>& periods, double reach) {
+             const std::array<double, 2>& periods, double reach,
+             std::optional<double> radius = std::nullopt) {
     constexpr float kFar = 1e18F;
-    x_.assign(balls + kAtATime, kFar);
-    y_.assign(balls + kAtATime, kFar);
-    radius_.assign(balls + kAtATime, 0);
+    // Those behind the last are read, too.
+    x_.resize(balls + kAtATime);
+    y_.resize(balls + kAtATime);
+    std::fill_n(x_.end() - kAtATime, kAtATime, kFar);
+    std::fill_n(y_.end() - kAtATime, kAtATime, kFar);
+    equal_ = radius.has_value();
+    radius_.assign(equal_ ? 0 : balls + kAtATime, 0);
+    wraps_ = periods[0] > 0 || periods[1] > 0;
     period_ = {static_cast<float>(periods[0]), static_cast<float>(periods[1])};
     for (std::size_t axis = 0; axis < 2; ++axis) {
       per_[axis] = periods[axis] > 0 ? static_cast<float>(1 / periods[axis]) : 0;
     }
-    reach_ = static_cast<float>((reach + 8 * 0x1p-24 * (half[0] + half[1])) * (1 + 0x1p-16));
+    reach += 2 * radius.value_or(0) + 8 * 0x1p-24 * (half[0] + half[1]);
+    reach_ = static_cast<float>(reach * (1 + 0x1p-16));
   }
   void set(std::uint32_t k, double x, double y, double radius) {
     x_[k] = static_cast<float>(x);
     y_[k] = static_cast<float>(y);
-    radius_[k] = static_cast<float>(radius);
+    if (!equal_) radius_[k] = static_cast<float>(radius);
   }
 
   [[nodiscard]] std::size_t bytes() const { return 3 * x_.capacity() * sizeof(float); }
@@ -59,15 +67,21 @@ class NearSearch {
                                                             std::uint32_t k) const {
 #if defined(__AVX__) && defined(__FMA__)
     constexpr int kNearest = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
-    const auto way = [](float at, const float* others, float period, float per) {
-      const __m256 d = _mm256_sub_ps(_mm256_set1_ps(at), _mm256_loadu_ps(others));
+    const auto shorter = [](__m256 d, float period, float per) {
       const __m256 turns = _mm256_round_ps(_mm256_mul_ps(d, _mm256_set1_ps(per)), kNearest);
       return _mm256_fnmadd_ps(_mm256_set1_ps(period), turns, d);
     };
-    const __m256 dx = way(x_[i], &x_[k], period_[0], per_[0]);
-    const __m256 dy = way(y_[i], &y_[k], period_[1], per_[1]);
-    const __m256 reach =
-        _mm256_add_ps(_mm256_set1_ps(reach_ + radius_[i]), _mm256_loadu_ps(&radius_[k]));
+    __m256 dx = _mm256_sub_ps(_mm256_set1_ps(x_[i]), _mm256_loadu_ps(&x_[k]));
+    __m256 dy = _mm256_sub_ps(_mm256_set1_ps(y_[i]), _mm256_loadu_ps(&y_[k]));
+    if (wraps_) {
+      dx = shorter(dx, period_[0], per_[0]);
+      dy = shorter(dy, period_[1], per_[1]);
+    }
+    __m256 reach = _mm256_set1_ps(reach_);
+    if (!equal_) {
+      reach = _mm256_add_ps(
+          reach, _mm256_add_ps(_mm256_set1_ps(radius_[i]), _mm256_loadu_ps(&radius_[k])));
+    }
     const __m256 square = _mm256_fmadd_ps(dx, dx, _mm256_mul_ps(dy, dy));
     return static_cast<std::uint32_t>(
         _mm256_movemask_ps(_mm256_cmp_ps(square, _mm256_mul_ps(reach, reach), _CMP_LT_OQ)));
@@ -78,7 +92,7 @@ class NearSearch {
       float dy = y_[i] - y_[k + l];
       dx -= period_[0] * std::rint(dx * per_[0]);
       dy -= period_[1] * std::rint(dy * per_[1]);
-      const float reach = reach_ + radius_[i] + radius_[k + l];
+      const float reach = reach_ + (equal_ ? 0 : radius_[i] + radius_[k + l]);
       mask |= dx * dx + dy * dy < reach * reach ? 1U << l : 0U;
     }
     return mask;
@@ -90,7 +104,9 @@ class NearSearch {
   std::vector<float> radius_;
   std::array<float, 2> period_{};
   std::array<float, 2> per_{};
-  float reach_ = 0;
+  float reach_ = 0;  ///< with the radii, where these are equal
+  bool wraps_ = false;
+  bool equal_ = false;
 };
 
 }  // namespace carom::event
