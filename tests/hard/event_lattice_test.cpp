@@ -58,10 +58,11 @@ Lattice lattice(unsigned seed, double unit = 1) {
 // 1768, 3492 overlapped by 8e-6 where a hit of an island left what it should stop, 2684 by 1e-5
 // where a step closed a gap twice to keep its energy, and 2073 by 5e-4 where balls that touch
 // joined two islands at one instant.  3613 met a fixed ball and the floor in turn for ever, by
-// rounding.
+// rounding, and 1575 a fixed ball that it just fits under.  437 took 3 million impacts where a jam
+// was found again, after many of them, as soon as it had been taken as open.
 TEST(EventContact, elastic_lattices_end_and_keep_their_energy) {
-  std::vector<unsigned> seeds{546,  557,  823,  1444, 1926, 1935, 2455, 310, 866,
-                              1350, 3418, 3812, 1768, 3492, 2684, 2073, 3613};
+  std::vector<unsigned> seeds{546,  557,  823,  1444, 1926, 1935, 2455, 310, 866, 1350,
+                              3418, 3812, 1768, 3492, 2684, 2073, 3613, 437, 1575};
   for (unsigned seed = 0; seed < 300; ++seed) seeds.push_back(seed);
   for (const unsigned seed : seeds) {
     const Lattice start = lattice(seed);
@@ -72,6 +73,8 @@ TEST(EventContact, elastic_lattices_end_and_keep_their_energy) {
     const double held = jammed ? end.dissipated : 0;
     EXPECT_NEAR(end.energy + held, end.energy_before, 1e-12 * size) << seed;
     EXPECT_LT(end.measured.max_overlap, jammed ? 1e-4 : 1e-6) << seed;
+    const auto impacts = end.measured.ball_ball + end.measured.ball_wall;
+    EXPECT_LT(impacts, seed == 437 ? 1000000U : impacts + 1);
   }
 }
 

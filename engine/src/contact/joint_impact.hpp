@@ -333,13 +333,14 @@ class JointImpact {
         return;
       }
       ++report_.settling;
-      if (!nudge(units)) reflect(*choose(false), true);
+      if (wedged_ || !nudge(units)) reflect(*choose(false), true);
       units = units * 2;
     }
   }
 
   /// The least impulses after which every contact parts by so many units of rounding of the
-  /// speeds its two had; false, and nothing is done, if rounding is not all they would change.
+  /// speeds its two had; false, and nothing is done, if rounding is not all they would change, or
+  /// if there are none: then the group is wedged, whatever the units.
   bool nudge(const S& units) {
     const S u = std::numeric_limits<S>::epsilon();
     std::vector<S> parting = partings();
@@ -352,7 +353,10 @@ class JointImpact {
       all[k] = graph_.mobility(k) > 0 ? 1 : 0;
       fastest = larger(fastest, peak);
     }
-    const std::vector<Vec<S>> totals = graph_.totals(nonnegative_impulses(graph_, parting, all));
+    const auto impulses = pivoted_impulses(graph_, parting, all, slack_of_impulses<S>());
+    wedged_ = !impulses;
+    if (wedged_) return false;
+    const std::vector<Vec<S>> totals = graph_.totals(*impulses);
     std::vector<Vec<S>> nudged = velocity_;
     const S most = 1048576 * u * fastest;
     for (std::size_t k = 0; k < totals.size(); ++k) {
@@ -401,6 +405,7 @@ class JointImpact {
   std::vector<Vec<S>> velocity_;
   std::vector<S> peak_;
   std::vector<S> gains_;
+  bool wedged_ = false;
   JointReport report_;
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "contact/contact_graph.hpp"
@@ -117,14 +119,14 @@ std::vector<S> descending_impulses(const ContactGraph<S>& graph, const std::vect
   return impulses;
 }
 
-/// The least impulses >= 0 at the `allowed` contacts after which none of them approaches: the
-/// solution of the linear complementarity problem 0 <= impulse | parting + response >= 0. All
-/// wrong signs are changed at once, so no contact is favoured; should that not end (it may go
-/// round in circles), descending_impulses() solves it.
-/// Source: block principal pivoting, Portugal, Judice, Vicente, Math. Comput. 63 (1994) 625.
+/// The solution of the linear complementarity problem 0 <= impulse | parting + response >= 0, where
+/// block pivoting finds it: all wrong signs are changed at once, so no contact is favoured. Nothing
+/// where that goes round in circles, as it does where there is none.
+/// Source: Portugal, Judice, Vicente, Math. Comput. 63 (1994) 625.
 template <class S>
-std::vector<S> nonnegative_impulses(const ContactGraph<S>& graph, const std::vector<S>& parting,
-                                    const std::vector<char>& allowed) {
+std::optional<std::vector<S>> pivoted_impulses(const ContactGraph<S>& graph,
+                                               const std::vector<S>& parting,
+                                               const std::vector<char>& allowed, const S& slack) {
   const std::size_t n = graph.size();
   std::vector<char> active(n, 0);
   S largest_parting = 0;
@@ -133,16 +135,17 @@ std::vector<S> nonnegative_impulses(const ContactGraph<S>& graph, const std::vec
     active[k] = parting[k] < 0 ? 1 : 0;
     if (parting[k] < 0) largest_parting = larger(largest_parting, S(-parting[k]));
   }
-  const S slack = root(std::numeric_limits<S>::epsilon()) / 16384;  // 2^-40 in double
-  std::vector<S> impulses;
+  std::vector<std::vector<char>> tried;
   const std::size_t most = n < 16 ? 3 * n + 16 : 64;  // most sets need a few
-  bool changed = true;
-  for (std::size_t round = 0; round < most && changed; ++round) {
-    impulses = stopping_impulses(graph, parting, active);
+  while (tried.size() < most) {
+    // One set leads to the next, whatever came before.
+    if (std::find(tried.begin(), tried.end(), active) != tried.end()) return std::nullopt;
+    tried.push_back(active);
+    std::vector<S> impulses = stopping_impulses(graph, parting, active);
     const std::vector<S> change = graph.response(impulses);
     S largest = 0;
     for (const S& impulse : impulses) largest = larger(largest, absolute(impulse));
-    changed = false;
+    bool changed = false;
     for (std::size_t k = 0; k < n; ++k) {
       if (active[k] && impulses[k] < -slack * largest) {
         active[k] = 0;
@@ -152,12 +155,29 @@ std::vector<S> nonnegative_impulses(const ContactGraph<S>& graph, const std::vec
         changed = true;
       }
     }
+    if (changed) continue;
+    for (S& impulse : impulses) {
+      if (impulse < 0) impulse = S(0);
+    }
+    return impulses;
   }
-  if (changed) return descending_impulses(graph, parting, allowed, slack);
-  for (S& impulse : impulses) {
-    if (impulse < 0) impulse = S(0);
-  }
-  return impulses;
+  return std::nullopt;
+}
+
+/// So small a part of the largest speed, or impulse, is none: 2^-40 in double.
+template <class S>
+S slack_of_impulses() {
+  return root(std::numeric_limits<S>::epsilon()) / 16384;
+}
+
+/// The least impulses >= 0 at the `allowed` contacts after which none of them approaches, as nearly
+/// as there are such.
+template <class S>
+std::vector<S> nonnegative_impulses(const ContactGraph<S>& graph, const std::vector<S>& parting,
+                                    const std::vector<char>& allowed) {
+  const S slack = slack_of_impulses<S>();
+  const std::optional<std::vector<S>> found = pivoted_impulses(graph, parting, allowed, slack);
+  return found ? *found : descending_impulses(graph, parting, allowed, slack);
 }
 
 }  // namespace carom::event

@@ -44,6 +44,8 @@ inline constexpr int kManyAtOnce = 256;
 /// How often balls are taken as jammed before time goes on.
 inline constexpr int kMostJams = 1000;
 inline constexpr int kMostDoublings = 12;
+/// For how many of the spans in which impacts are watched for they are taken as jammed at most.
+inline constexpr int kLongestJam = 64;
 /// How often what an island's contacts hold, and the energy it keeps, are seen to in turn.
 inline constexpr int kMostTurns = 32;
 
@@ -405,6 +407,8 @@ class EventLoop {
   std::uint64_t watched_ = 0;   ///< since then
   int jams_ = 0;                ///< since then: too many impacts
   int jammed_at_ = 0;           ///< what `jams_` was when it last ended
+  int jam_lasts_ = 1;           ///< in spans in which impacts are watched for
+  int spans_ = 2;               ///< since a jam was found, or was over
 };
 
 }  // namespace carom::event

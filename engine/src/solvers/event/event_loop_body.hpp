@@ -54,6 +54,8 @@ void EventLoop<P>::reset(const std::vector<Disk>& disks, At now, const std::vect
   watched_ = 0;
   jams_ = 0;
   jammed_at_ = 0;
+  jam_lasts_ = 1;
+  spans_ = 2;
   next_step_ = P::Clock::never();
   stepped_ = now;
   resolution_of_.assign(n, -1);

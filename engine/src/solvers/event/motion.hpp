@@ -286,6 +286,9 @@ class Motion {
   [[nodiscard]] bool stays_down(const S& v, const S& a, const S& restitution, const S& reach) const;
   [[nodiscard]] S meeting_wait(const Disk& earlier, const Disk& later, const S& reach,
                                bool from_contact, At until) const;
+  /// Whether a ball that touches a fixed one, r away, has just room between it and the wall that
+  /// supports it: it goes on along both, however rounding puts it.
+  [[nodiscard]] bool just_fits(const Disk& ball, const Vec<S>& r) const;
   /// Whether the step of their island has seen to it that they do not meet before the next one.
   [[nodiscard]] bool stepped_together(const Disk& a, const Disk& b) const;
   /// Something carries it that can: a wall, or an island.

@@ -88,6 +88,7 @@ auto Motion<P>::pair_event(const Disk& a, const Disk& b, bool from_contact,
     const Disk& ball = fixed(a) ? b : a;
     const Disk& fixed_disk = fixed(a) ? a : b;
     const Vec<S> r = way({fixed_disk.x, fixed_disk.y}, {ball.x, ball.y});
+    if (from_contact && just_fits(ball, r)) return P::Clock::never();
     const S wait = law_of(ball).fixed_disk_wait(r, Vec<S>{ball.vx, ball.vy}, reach, from_contact);
     const Time ticks = rules_.scale.ticks(wait);
     return ticks == P::Clock::never() ? ticks : Time(ball.start + ticks);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/rest_rules.hpp"
 #include "solvers/event/motion.hpp"
@@ -121,6 +122,14 @@ bool Motion<P>::collapses(const Disk& a, const Disk& b, At now) const {
   const S longest = rules_.scale.resolution() * kCollapse;
   return rules_.restitution < 1 && rules_.scale.seconds(now - a.start) <= longest &&
          rules_.scale.seconds(now - b.start) <= longest;
+}
+
+template <class P>
+bool Motion<P>::just_fits(const Disk& ball, const Vec<S>& r) const {
+  const S noise = kRounding * std::numeric_limits<S>::epsilon();
+  const unsigned axes = axes_of(support(ball));
+  if (axes == 1) return !(absolute(r.y) > noise * absolute(r.x));
+  return axes == 2 && !(absolute(r.x) > noise * absolute(r.y));
 }
 
 template <class P>
