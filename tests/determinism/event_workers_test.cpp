@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -76,16 +78,44 @@ TEST(EventWorkers, GiveTheSameBitsInEveryScene) {
   EXPECT_GT(scenes, 15U);
 }
 
-// What comes to an island of many contacts before its next step is resolved with an impact on it,
-// of whichever group it was.
-TEST(EventWorkers, GiveTheSameBitsInAHeapThatOthersFallOn) {
-  Scene scene = parse_scene(
+Scene heap_that_others_fall_on() {
+  return parse_scene(
       R"({"box": {"width": 12, "height": 40}, "seed": 4, "solver": {"method": "event"},
           "effects": {"walls": {"restitution": 0.3}, "collisions": {"restitution": 0.3},
                       "gravity": [0, -9.81]},
           "fill": [{"count": 140, "radius": 0.5, "temperature": 0.1, "arrangement": "random"}]})",
       "heap");
-  expect_same_with_any_workers(scene, 2, "heap");
+}
+
+// What comes to an island of many contacts before its next step is resolved with an impact on it,
+// of whichever group it was.
+TEST(EventWorkers, GiveTheSameBitsInAHeapThatOthersFallOn) {
+  expect_same_with_any_workers(heap_that_others_fall_on(), 2, "heap");
+}
+
+// Seen to fail where what comes was left out if its number was one more than that of what it comes
+// to.
+TEST(EventWorkers, TheOrderOfTheBallsChangesNoBitOfAHeapThatOthersFallOn) {
+  Scene scene = heap_that_others_fall_on();
+  scene.balls = populate(scene);
+  scene.fills.clear();
+  Scene other = scene;
+  std::vector<std::size_t> order(scene.balls.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::mt19937 random(5);
+  std::shuffle(order.begin(), order.end(), random);
+  for (std::size_t k = 0; k < order.size(); ++k) other.balls[k] = scene.balls[order[k]];
+  const auto end = [](const Scene& start) {
+    Session session(start);
+    session.advance_clock_to(3);
+    return session.simulation().state();
+  };
+  const std::vector<Ball> expected = end(scene);
+  const std::vector<Ball> got = end(other);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    EXPECT_EQ(got[k].position, expected[order[k]].position) << k;
+    EXPECT_EQ(got[k].velocity, expected[order[k]].velocity) << k;
+  }
 }
 
 TEST(EventWorkers, GiveTheSameBitsInMoreDigits) {
