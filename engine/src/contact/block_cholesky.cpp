@@ -98,26 +98,44 @@ class BlockCholesky<D>::Multiplier {
   alignas(32) std::array<double, std::size_t{D} * D * kLanes> factors_{};
 };
 
-// How a row pushes a body, as a column: target += weight this other', a column at a time.
+// How a row pushes a body, as a column: target += weight this other'.
 template <int D>
 class BlockCholesky<D>::Edge {
  public:
-  Edge(const double (&j)[D], double side) {
-    for (int c = 0; c < D; ++c) parts_[index(c)] = c < 2 ? side * j[c] : j[c];
-  }
+  using Lanes = decltype(Column<D>::lanes);
+  /// A block in registers, a column each.
+  struct Target {
+    Lanes column[D];
 
-  void add(double weight, const Edge& other, Block& target) const {
-    const auto weighted = weight * Column<D>::of(parts_.data()).lanes;
-    for (int c = 0; c < D; ++c) {
-      double* const column = target.v.data() + c * kLanes;
-      auto t = Column<D>::of(column);
-      t.lanes += weighted * other.parts_[index(c)];
-      t.put(column);
+    static Target of(const Block& block) {
+      Target target;
+      for (int c = 0; c < D; ++c) {
+        target.column[c] = Column<D>::of(block.v.data() + c * kLanes).lanes;
+      }
+      return target;
+    }
+    void put(Block& block) const {
+      for (int c = 0; c < D; ++c) Column<D>{column[c]}.put(block.v.data() + c * kLanes);
+    }
+  };
+
+  Edge(const double (&j)[D], double side) {
+    for (int c = 0; c < D; ++c) parts_[c] = c < 2 ? side * j[c] : j[c];
+    if constexpr (D == 2) {
+      lanes_ = Lanes{parts_[0], parts_[1]};
+    } else {
+      lanes_ = Lanes{parts_[0], parts_[1], parts_[2], 0};
     }
   }
 
+  void add(double weight, const Edge& other, Target& target) const {
+    const Lanes weighted = weight * lanes_;
+    for (int c = 0; c < D; ++c) target.column[c] += weighted * other.parts_[c];
+  }
+
  private:
-  alignas(32) std::array<double, kLanes> parts_{};
+  Lanes lanes_;
+  double parts_[D];
 };
 
 template <int D>
@@ -130,16 +148,29 @@ void BlockCholesky<D>::factor(const ContactProblem<D>& problem,
     Block& diagonal = factor_[index(columns[pattern_.place(static_cast<int>(i))])];
     for (int c = 0; c < D; ++c) diagonal.at(c, c) = 1 / problem.inverse_mass[i * D + index(c)];
   }
-  for (std::size_t k = 0; k < problem.rows.size(); ++k) {
-    const Row<D>& row = problem.rows[k];
-    const Edge of_a(row.j, -1);
-    const Edge of_b(row.j, 1);
-    of_a.add(weights[k], of_a, factor_[index(columns[pattern_.place(row.a)])]);
-    if (row.b < 0) continue;
-    of_b.add(weights[k], of_b, factor_[index(columns[pattern_.place(row.b)])]);
-    Block& between = factor_[index(pattern_.between(k))];
-    const bool a_is_later = pattern_.place(row.a) > pattern_.place(row.b);
-    (a_is_later ? of_a : of_b).add(weights[k], a_is_later ? of_b : of_a, between);
+  // The rows of one contact follow each other.
+  for (std::size_t k = 0; k < problem.rows.size();) {
+    const int a = problem.rows[k].a;
+    const int b = problem.rows[k].b;
+    const bool a_is_later = b >= 0 && pattern_.place(a) > pattern_.place(b);
+    Block& at_a = factor_[index(columns[pattern_.place(a)])];
+    Block& at_b = b < 0 ? at_a : factor_[index(columns[pattern_.place(b)])];
+    Block& between = b < 0 ? at_a : factor_[index(pattern_.between(k))];
+    auto sum_a = Edge::Target::of(at_a);
+    auto sum_b = Edge::Target::of(at_b);
+    auto sum_between = Edge::Target::of(between);
+    for (; k < problem.rows.size() && problem.rows[k].a == a && problem.rows[k].b == b; ++k) {
+      const Edge of_a(problem.rows[k].j, -1);
+      const Edge of_b(problem.rows[k].j, 1);
+      of_a.add(weights[k], of_a, sum_a);
+      of_b.add(weights[k], of_b, sum_b);
+      (a_is_later ? of_a : of_b).add(weights[k], a_is_later ? of_b : of_a, sum_between);
+    }
+    if (b >= 0) {
+      sum_b.put(at_b);
+      sum_between.put(between);
+    }
+    sum_a.put(at_a);
   }
   std::fill(head_.begin(), head_.end(), -1);
   // Stores of numbers leave these as they are, which a compiler cannot know of members.
