@@ -57,7 +57,7 @@ class SliceCost {
   static constexpr double kShare = 0.6;    // of the time: a slice may cost more than is foreseen
   static constexpr double kGrowth = 2;     // of a slice over the longest before
   static constexpr double kMemory = 0.9;   // of older calls, for the line
-  static constexpr double kForgets = 0.9;  // a call that was dear is remembered for some
+  static constexpr double kForgets = 0.9;  // a call that took long is remembered for some
   static constexpr double kSpread = 0.05;  // of slices, relative, from which they tell a line
 
   double weight_ = 0;  // sums over the calls so far

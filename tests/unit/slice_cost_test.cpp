@@ -74,14 +74,14 @@ TEST(SliceCost, SlicesFillTheTimeOfAFrame) {
 }
 
 TEST(SliceCost, OneDearCallMakesNoFrameLate) {
-  for (int dear = 1; dear < 60; ++dear) {
+  for (int costly = 1; costly < 60; ++costly) {
     int calls = 0;
     int late = 0;
     const auto cost = [&](double slice) {
-      return ++calls == dear ? 0.1 : 0.002 + 0.030 / kFrame * slice;
+      return ++calls == costly ? 0.1 : 0.002 + 0.030 / kFrame * slice;
     };
     for (const Shown& frame : frames(60, cost)) late += frame.seconds > 1.4 * kTime ? 1 : 0;
-    EXPECT_LE(late, 1) << "but for its own, after call " << dear;
+    EXPECT_LE(late, 1) << "but for its own, after call " << costly;
   }
 }
 

@@ -168,7 +168,7 @@ bool BasicBarrier<System>::wait(Gate& gate, std::uint64_t arrival) {
     System::sleep_while_equal(gate.word, word);
     word = gate.word.load(std::memory_order_seq_cst);
   }
-  // Whoever still sleeps is in the count, so each that leaves wakes at least one of them, and the
+  // Threads that still sleep are counted, so each thread that leaves wakes at least one, and the
   // chain does not break.  Sleepers of a later phase cannot be here before this thread has arrived.
   if (gate.sleepers.fetch_sub(1, std::memory_order_seq_cst) > 1) {
     System::wake(gate.word, barrier::kWakes);

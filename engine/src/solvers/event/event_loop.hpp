@@ -51,9 +51,9 @@ inline constexpr int kMostTurns = 32;
 
 /// Balls and their impacts in the order of time.
 ///
-/// For each ball the earliest impact is kept that it is known to have; a pair is kept with the
-/// first of its balls that has nothing earlier.  Whoever takes a ball from its partner leaves the
-/// partner with a time before which nothing can happen to it, and that it is looked at again then.
+/// Each ball keeps the earliest impact that is predicted for it; a pair is kept with both of its
+/// balls where neither has anything earlier.  When a ball's partner is taken by an earlier event,
+/// the ball keeps a lower bound on its next event and is predicted again at that time.
 ///
 /// Impacts of the same tick that share a ball, and those that an impact passes on to balls that
 /// touch, are resolved together, by rules that do not see an order.

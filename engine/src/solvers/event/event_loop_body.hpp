@@ -205,7 +205,7 @@ void EventLoop<P>::rebase(At by) {
   }
   if (next_step_ != P::Clock::never()) next_step_ -= by;
   reached_ -= by;
-  // Long ago is long ago, however many epochs: the ticks of all of them are no number.
+  // Times of earlier epochs are only known to be earlier: their ticks do not fit into a number.
   stepped_ = stepped_ >= by ? Time(stepped_ - by) : Time(-1);
   watched_from_ = watched_from_ >= by ? Time(watched_from_ - by) : Time(Time(-1) - kShortTicks);
   impact_time_ = impact_time_ >= by ? Time(impact_time_ - by) : Time(-1);

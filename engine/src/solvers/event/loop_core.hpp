@@ -61,7 +61,7 @@ class LoopCore final : public Core {
 
   [[nodiscard]] Disk flight_of(const Ball& ball) const;
   [[nodiscard]] Moment moment(double seconds) const;
-  /// In more digits flights are so dear that there are never enough balls.
+  /// In more digits flights are so slow that domains never have enough balls.
   static constexpr bool kShares = kIsDouble<S>;
 
   /// Over the epochs of time up to the target, by domains or conflict groups.

@@ -16,8 +16,8 @@ inline constexpr double kForward = 0.7;
 // Wider than the rounding of centres and gaps.
 inline constexpr double kMargin = 0x1p-30;
 
-// Half a side that makes searching for neighbours about as dear as looking at them: measured at
-// packings 0.1, 0.5 and 0.7 of equal disks.
+// Half a side that makes searching for neighbours cost about as much as predicting contacts with
+// them: measured at packings 0.1, 0.5 and 0.7 of equal disks.
 template <class P>
 void Neighbours<P>::choose_skin(const Disks& disks, double area) {
   double diameters = 0;

@@ -31,7 +31,7 @@ struct BasicRules {
   double drag_rate = 0;
   double friction = 0;  ///< of balls with each other
   double wall_friction = 0;
-  bool falls = false;  ///< gravity is an effect, be it 0 at present
+  bool falls = false;  ///< gravity is an effect, even where it is 0 at present
   bool spins = false;  ///< balls have friction and so have a spin
   bool rests = false;  ///< contacts can come to rest
 

@@ -37,7 +37,7 @@ class PairSearch {
   /// Caches all pairs, unless there is a list for that or they are cached.
   void cache_all_pairs();
   [[nodiscard]] bool uses_list() const;
-  /// There is a list, be it stale.
+  /// There is a list, stale or not.
   [[nodiscard]] bool listed() const { return listed_; }
   [[nodiscard]] bool is_stale() const;
 

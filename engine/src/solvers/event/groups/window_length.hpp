@@ -7,7 +7,7 @@
 
 namespace carom::event {
 
-/// How long the next window should be: shorter after one that was dear, longer after one that was
+/// How long the next window should be: shorter after one that was costly, longer after one that was
 /// not, near a part of the time in which a ball meets another.
 ///
 /// Holds: it decides what a run costs, not what comes out.
@@ -42,20 +42,20 @@ class WindowLength {
     return full_ ? Time(now + wanted) : Time(target);
   }
   /// Learns from the window that has ended.  One that the target has cut short and that was not
-  /// dear says nothing.
+  /// costly says nothing.
   void learn(const Cost& cost, std::size_t balls) {
-    const bool dear =
+    const bool costly =
         cost.passes > kManyPasses ||
         static_cast<double>(cost.solved) > kManySolved * static_cast<double>(balls) + kFewSolved;
-    if (!dear && !full_) return;
-    const S wanted = static_cast<S>(length_) * (dear ? kShorter : kLonger);
+    if (!costly && !full_) return;
+    const S wanted = static_cast<S>(length_) * (costly ? kShorter : kLonger);
     const S usual = static_cast<S>(usual_);
     length_ =
         P::Clock::whole(std::min(std::max(wanted, S(usual / kMostTimes)), S(usual * kMostTimes)));
   }
 
  private:
-  // A window is dear where more than so many passes were taken, or balls solved for each ball.
+  // A window is costly where more than so many passes were taken, or balls solved for each ball.
   static constexpr std::size_t kManyPasses = 4;
   static constexpr double kManySolved = 0.6;
   static constexpr double kFewSolved = 8;
