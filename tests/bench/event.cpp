@@ -52,8 +52,9 @@ Gas make_gas(std::size_t n, double packing) {
   double px = 0;
   double py = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    const auto row = static_cast<double>(k / columns);
-    const double shift = k / columns % 2 == 0 ? 0.25 : 0.75;
+    const std::size_t rows_below = k / columns;
+    const auto row = static_cast<double>(rows_below);
+    const double shift = rows_below % 2 == 0 ? 0.25 : 0.75;
     const double x =
         (static_cast<double>(k % columns) + shift) * gas.side / static_cast<double>(columns);
     gas.balls.push_back(

@@ -28,7 +28,8 @@ Pile pile(std::size_t count, double unit) {
   const auto below = [&random](unsigned n) { return static_cast<double>(random() % n); };
   for (std::size_t k = 0; k < count; ++k) {
     const double x = 0.5 + 1.0625 * static_cast<double>(k % 11) + below(64) / 1024;
-    const double y = 0.5 + 1.125 * static_cast<double>(k / 11) + below(64) / 1024;
+    const std::size_t rows_below = k / 11;
+    const double y = 0.5 + 1.125 * static_cast<double>(rows_below) + below(64) / 1024;
     Ball ball = test::contact_ball(x * unit, y * unit, (below(64) / 64 - 0.5) * unit);
     ball.radius = 0.5 * unit;
     result.balls.push_back(ball);

@@ -40,7 +40,8 @@ int main(int count, char** words) {
   std::vector<Ball> balls;
   for (int i = 0; i < 9; ++i) {
     Ball ball;
-    ball.position = {1 + 1.5 * (i % 3), 1 + 1.5 * static_cast<double>(i / 3)};
+    const int row = i / 3;
+    ball.position = {1 + 1.5 * (i % 3), 1 + 1.5 * row};
     ball.velocity = {3 - 0.7 * i, 0.5 * i - 1};
     balls.push_back(ball);
   }
