@@ -27,7 +27,7 @@ const std::vector<Layer> kLayers{
     {"engine/src/state/", {"carom/", "state/"}},
     {"engine/src/numbers/", {"numbers/"}},
     {"engine/src/geometry/", {"geometry/"}},
-    {"engine/src/contact/block_cholesky", {"contact/", "Eigen/"}},
+    {"engine/src/contact/factor_pattern", {"contact/", "Eigen/"}},
     {"engine/src/trajectory/", {"numbers/", "trajectory/"}},
     {"engine/src/contact/", {"carom/", "numbers/", "geometry/", "state/", "contact/"}},
     {"engine/src/effects/", {"carom/", "state/", "contact/", "effects/"}},

@@ -51,7 +51,7 @@ class StudyWriter {
     writer_.key("rows").begin_list(kLines);
     for (const AccuracyRow& row : study_.rows) put_row(row);
     writer_.end_list();
-    writer_.key("sequence_end");
+    writer_.key("ladder_end");
     if (study_.sequence_end.empty()) {
       writer_.null();
     } else {

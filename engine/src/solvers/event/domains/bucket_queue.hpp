@@ -14,8 +14,8 @@ namespace carom::event {
 /// One event for each ball of a domain, over one window of time.
 ///
 /// The window is cut into as many buckets as there are events, a doubly linked list each; the
-/// earliest of the present bucket is looked for.  REQUIRES: events beyond the window are not
-/// queued.
+/// earliest of the present bucket is looked for.
+/// REQUIRES: events beyond the window are not queued.
 ///
 /// Times count from the start of the window.
 /// Source: G. Paul, A complexity O(1) priority queue for event driven molecular dynamics
