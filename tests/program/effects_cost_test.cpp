@@ -117,7 +117,7 @@ TEST_F(Cost, IsReportedForTheEffectsThatAreNamed) {
     const auto reported = [&](const Names& effects) {
       Names names;
       const json told = report(effects, method);
-      EXPECT_EQ(told["method"], method);
+      EXPECT_EQ(told["method"].get<std::string>(), method);
       for (const auto& [name, cost] : told["effects"].items()) {
         EXPECT_GE(cost["seconds"].get<double>(), 0);
         names.insert(name);

@@ -70,7 +70,8 @@ class Maker {
     made.radius = mixture_ ? pick({0.125, 0.25, 0.375, 0.5}) : 0.375;
     made.mass = mixture_ ? pick({1, 1, 2, 8, 0.25}) : 1;
     const double play = 0.5 - made.radius;
-    made.position = scene_.box.lower() + Vec2{cell % columns_ + 0.5, cell / columns_ + 0.5};
+    const int row = cell / columns_;
+    made.position = scene_.box.lower() + Vec2{cell % columns_ + 0.5, row + 0.5};
     if (!lattice_)
       made.position += Vec2{random_.between(-play, play), random_.between(-play, play)};
     made.velocity = {number(-4, 4), number(-4, 4)};
