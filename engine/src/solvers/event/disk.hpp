@@ -25,7 +25,7 @@ struct BallFlight {
   S vx = 0;
   S vy = 0;
   Time start = 0;
-  Index species = 0;  ///< its radius and mass, in the table of kinds
+  Index species = 0;  ///< its radius and mass, in the table of species
 };
 
 /// A flight, and what is known of its end: one cache line in double.

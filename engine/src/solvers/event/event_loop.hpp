@@ -266,7 +266,7 @@ class EventLoop {
   /// All that touches at this instant, over balls that can move, from these on; takes from `seeds`
   /// those that it has found.
   [[nodiscard]] SimultaneousImpact touching(std::vector<Index>& seeds, At now);
-  /// `looked_for`: the balls whose next impact is unknown.
+  /// `to_predict`: the balls whose next impact is unknown.
   void resolve_group(SimultaneousImpact& group, const std::vector<Index>& to_predict, At now);
   void note_left(const SimultaneousImpact& group, At now);
   [[nodiscard]] JointReport resolve(SimultaneousImpact& group,

@@ -38,7 +38,7 @@ namespace carom::event {
 /// one event loop over all balls has a ball do something else than its group did.  What a ball does
 /// at T follows from the flights, up to T, of itself and of the balls that it meets or touches
 /// then.  All of these have their true flights up to T.  One of another group would have been found
-/// by the look at the two paths.  So all are in the ball's own group, which did the same at T: a
+/// by the test of the two paths.  So all are in the ball's own group, which did the same at T: a
 /// contradiction. Windows and groups do not matter for the result: they decide what it costs.
 ///
 /// A contact that lasts joins balls without an impact: those that touch at the start of a window
