@@ -31,7 +31,8 @@ Scene disks(double packing) {
   for (int row = 0; row < kRows; ++row) {
     for (int column = 0; column < kColumns; ++column) {
       // Opposite neighbours fly opposite ways: no momentum.
-      const double angle = 2.4 * row + (column / 2) * 1.7 + (column % 2) * std::numbers::pi;
+      const int of_two = column / 2;
+      const double angle = 2.4 * row + 1.7 * of_two + (column % 2) * std::numbers::pi;
       scene.balls.push_back({{column + (row % 2) * 0.5 + 0.25, (row + 0.5) * std::sqrt(0.75)},
                              {2 * std::cos(angle), 2 * std::sin(angle)},
                              radius});
