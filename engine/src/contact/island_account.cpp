@@ -8,8 +8,7 @@ namespace carom::contact {
 double lost_by(const LastingIsland& island, const Balls& balls, const Domain& domain,
                const Vec2& acceleration) {
   double lost = 0;
-  for (std::size_t m = 0; m < island.members.size(); ++m) {
-    const LastingIsland::Member& member = island.members[m];
+  for (const LastingIsland::Member& member : island.members) {
     const Vec2 from = member.woken ? member.start : member.flown;
     const Vec2 was = member.woken ? member.before : member.flown_velocity;
     const double spin = balls.spin.size() > 0 ? balls.spin[member.ball] : 0;

@@ -33,7 +33,7 @@ std::vector<Frame> frames_of(const Vec2& acceleration) {
 
 std::partial_ordering compare(const Vec2& a, const Vec2& b) {
   const auto high = a.y() <=> b.y();
-  return high != 0 ? high : a.x() <=> b.x();
+  return std::is_neq(high) ? high : a.x() <=> b.x();
 }
 
 Order order_of(const std::vector<LastingIsland::Member>& members, const Frame& frame) {
@@ -44,7 +44,7 @@ Order order_of(const std::vector<LastingIsland::Member>& members, const Frame& f
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const auto which = compare(places[a], places[b]);
-    return which != 0 ? which < 0 : members[a].ball < members[b].ball;
+    return std::is_neq(which) ? std::is_lt(which) : members[a].ball < members[b].ball;
   });
   return order;
 }
@@ -55,7 +55,7 @@ std::partial_ordering compare(const std::vector<LastingIsland::Member>& members,
     const Vec2 a = frame.into(members[order[k]].start);
     const Vec2 b = other.into(members[other_order[k]].start);
     const auto which = compare(a, b);
-    if (which != 0) return which;
+    if (std::is_neq(which)) return which;
   }
   return std::partial_ordering::equivalent;
 }
@@ -100,7 +100,7 @@ void arrange(LastingIsland& island, const Frame& frame, const Order& order, doub
     if (c.a != d.a) return c.a < d.a;
     if (c.b != d.b) return c.b < d.b;
     const auto which = compare(c.normal, d.normal);
-    if (which != 0) return which < 0;
+    if (std::is_neq(which)) return std::is_lt(which);
     return c.gap != d.gap ? c.gap < d.gap : one.second.other < two.second.other;
   });
   for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -137,8 +137,8 @@ void LastingIsland::lay_out(const Vec2& acceleration, double step) {
   if (frames.size() == 1) return arrange(*this, frames.front(), order, step);
   const Order other = order_of(members, frames.back());
   const auto which = compare(members, frames.front(), order, frames.back(), other);
-  if (which < 0) return arrange(*this, frames.front(), order, step);
-  if (which > 0) return arrange(*this, frames.back(), other, step);
+  if (std::is_lt(which)) return arrange(*this, frames.front(), order, step);
+  if (std::is_gt(which)) return arrange(*this, frames.back(), other, step);
   LastingIsland mirrored = *this;
   arrange(mirrored, frames.back(), other, step);
   arrange(*this, frames.front(), order, step);
