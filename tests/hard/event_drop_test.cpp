@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-using test::ball;
+using test::contact_ball;
 using test::contact_box;
 using test::Course;
 using test::deepest_overlap;
@@ -27,9 +27,9 @@ std::vector<Ball> heap(std::size_t count, std::size_t columns, double spacing) {
     const auto column = static_cast<double>(k % columns);
     const std::size_t below = k / columns;
     const auto row = static_cast<double>(below);
-    balls.push_back(ball(0.6 + spacing * column + 0.1 * uniform(),
-                         0.6 + spacing * row + 0.1 * uniform(), uniform() - 0.5, uniform() - 0.5,
-                         0.4 + 0.1 * uniform()));
+    balls.push_back(contact_ball(0.6 + spacing * column + 0.1 * uniform(),
+                                 0.6 + spacing * row + 0.1 * uniform(), uniform() - 0.5,
+                                 uniform() - 0.5, 0.4 + 0.1 * uniform()));
   }
   return balls;
 }
@@ -70,7 +70,7 @@ std::vector<Ball> rain(std::uint64_t seed, std::size_t count, double width, doub
     const double radius = uniform(smallest, largest);
     const double x = uniform(radius, width - radius);
     const double y = uniform(radius, 20 - radius);
-    Ball next = ball(x, y, uniform(-0.5, 0.5), 0, radius);
+    Ball next = contact_ball(x, y, uniform(-0.5, 0.5), 0, radius);
     next.mass = 4 * radius * radius;
     const bool clear = std::none_of(balls.begin(), balls.end(), [&next](const Ball& other) {
       return (next.position - other.position).norm() < next.radius + other.radius;
@@ -90,7 +90,7 @@ std::vector<Ball> columns(std::size_t count, std::size_t wide, double width) {
     const double x = width * (static_cast<double>(k % wide) + 0.5) / static_cast<double>(wide);
     const std::size_t row = k / wide;
     const double y = 0.6 + 1.1 * static_cast<double>(row);
-    balls.push_back(ball(x + jitter(), y));
+    balls.push_back(contact_ball(x + jitter(), y));
     balls.back().position.y() += jitter();
   }
   return balls;
@@ -101,8 +101,9 @@ std::vector<Ball> lattice(std::size_t rows, std::size_t wide) {
   std::vector<Ball> balls;
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t k = 0; k + row % 2 < wide; ++k) {
-      balls.push_back(ball(0.505 + static_cast<double>(k) + 0.5 * static_cast<double>(row % 2),
-                           0.5 + std::sqrt(0.75) * static_cast<double>(row)));
+      balls.push_back(
+          contact_ball(0.505 + static_cast<double>(k) + 0.5 * static_cast<double>(row % 2),
+                       0.5 + std::sqrt(0.75) * static_cast<double>(row)));
     }
   }
   return balls;
@@ -114,7 +115,7 @@ std::vector<Ball> row(std::size_t count) {
   const auto speed = [&random] { return static_cast<double>(random() >> 11U) * 0x1p-52 - 1; };
   std::vector<Ball> balls;
   for (std::size_t k = 0; k < count; ++k) {
-    balls.push_back(ball(0.5 + static_cast<double>(k), 5, speed()));
+    balls.push_back(contact_ball(0.5 + static_cast<double>(k), 5, speed()));
     balls.back().velocity.y() = speed();
   }
   return balls;
@@ -133,7 +134,8 @@ std::vector<Drop> drops() {
     all.push_back({"lattice" + has_friction, 8.01, friction, lattice(6, 8)});
     all.push_back({"row" + has_friction, 20, friction, row(20)});
     all.push_back({"row_on_the_floor" + has_friction, 20, friction, row(20)});
-    for (Ball& each : all.back().balls) each = ball(each.position.x(), 0.5, each.velocity.x());
+    for (Ball& each : all.back().balls)
+      each = contact_ball(each.position.x(), 0.5, each.velocity.x());
   }
   return all;
 }
@@ -177,7 +179,7 @@ TEST(EventRest, a_pile_wakes_when_it_is_hit_and_when_what_carries_it_goes) {
   Course run(contact_box(6.3, 20, 0.3), heap(12, 5, 1.15));
   run.at(30);
   const std::uint64_t impacts = run.impacts();
-  run.solver().add(ball(3, 15));
+  run.solver().add(contact_ball(3, 15));
   const std::vector<Ball> end = run.at(60);
   EXPECT_GT(run.impacts(), impacts);
   for (const Ball& b : end) EXPECT_EQ(speed(b), 0);

@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-using test::ball;
+using test::contact_ball;
 using test::contact_box;
 using test::Course;
 using test::deepest_overlap;
@@ -32,7 +32,7 @@ TEST(EventRest, lines_of_free_balls_collapse_in_bounded_impacts_with_their_momen
       std::vector<Ball> balls;
       for (std::size_t k = 0; k < n; ++k) {
         const auto at = static_cast<double>(k);
-        balls.push_back(ball(20 + 1.5 * at + 0.01 * at * at, 5, 2 * k < n ? 1 : -1));
+        balls.push_back(contact_ball(20 + 1.5 * at + 0.01 * at * at, 5, 2 * k < n ? 1 : -1));
       }
       balls[0].velocity.x() = 1.5;
       double momentum = 0;
@@ -56,7 +56,8 @@ TEST(EventRest, lines_of_free_balls_collapse_in_bounded_impacts_with_their_momen
 TEST(EventRest, ElasticBallsThatALossyFloorCarriesComeToRest) {
   Scene scene = contact_box(1.5, 8, 1);
   scene.effects.walls->restitution = 0.5;
-  Course course(scene, {ball(0.5, 1), ball(1, 2.5, -0.1), ball(0.5, 4.5, 0.1)});
+  Course course(scene,
+                {contact_ball(0.5, 1), contact_ball(1, 2.5, -0.1), contact_ball(0.5, 4.5, 0.1)});
   const auto balls = course.at(60);
   // A zigzag between the sides.
   const double rise = std::sqrt(0.75);
@@ -82,8 +83,9 @@ TEST(EventRest, BallsThatLoseAllFlyOnTogether) {
     scene.box.width = scene.box.height = 40;
     scene.effects.collisions = Collisions{0};
     const double offset = 0.9 * unit(random);
-    const auto after =
-        Course(scene, {ball(10, 20, 1 + unit(random) / 2), ball(15, 20 + offset, -1)}).at(20);
+    const auto after = Course(scene, {contact_ball(10, 20, 1 + unit(random) / 2),
+                                      contact_ball(15, 20 + offset, -1)})
+                           .at(20);
     const Vec2 r = after[1].position - after[0].position;
     const Vec2 v = after[1].velocity - after[0].velocity;
     // What is left of their relative motion was along the line of contact's normal before.
@@ -111,9 +113,8 @@ std::vector<bool> signs_at_wall(const std::vector<Ball>& balls, int digits, doub
 // Seen to fail where a wall at the upper end turned a velocity into -0.
 TEST(EventContact, a_velocity_of_zero_has_no_sign) {
   const std::vector<bool> none(2, false);
-  const std::vector<Ball> balls{test::contact_ball(9, 2, 1, 1), test::contact_ball(9, 4, 1, -1)};
-  const std::vector<Ball> others{test::contact_ball(9.5, 2, -0.0, 1),
-                                 test::contact_ball(9.5, 4, -0.0, -1)};
+  const std::vector<Ball> balls{contact_ball(9, 2, 1, 1), contact_ball(9, 4, 1, -1)};
+  const std::vector<Ball> others{contact_ball(9.5, 2, -0.0, 1), contact_ball(9.5, 4, -0.0, -1)};
   for (const int digits : {16, 34}) {
     for (const double time : {0.75, 2.0}) {
       EXPECT_EQ(signs_at_wall(balls, digits, time), none) << digits << ' ' << time;

@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-using test::ball;
+using test::contact_ball;
 using test::contact_box;
 using test::Course;
 using test::fixed_ball;
@@ -19,7 +19,7 @@ using test::speed;
 // rests at t0 (1 + e) / (1 - e), with t0 = sqrt(2 h / g).
 TEST(EventRest, a_dropped_ball_bounces_as_high_as_it_should_and_rests_when_it_should) {
   for (const double e : {0.3, 0.8, 0.95}) {
-    Course run(contact_box(10, 10, e), {ball(5, 1.5)});
+    Course run(contact_box(10, 10, e), {contact_ball(5, 1.5)});
     const double fall = std::sqrt(2 / 9.81);
     double apex = fall;
     double half = 0;
@@ -45,7 +45,7 @@ TEST(EventRest, a_dropped_ball_bounces_as_high_as_it_should_and_rests_when_it_sh
 }
 
 TEST(EventRest, a_ball_that_loses_all_rests_at_the_first_touch) {
-  Course run(contact_box(10, 10, 0), {ball(5, 1.5, 1)});
+  Course run(contact_box(10, 10, 0), {contact_ball(5, 1.5, 1)});
   const Ball end = run.at(3)[0];
   EXPECT_EQ(run.impacts(), 1U);
   EXPECT_EQ(end.position.y(), 0.5);
@@ -54,7 +54,7 @@ TEST(EventRest, a_ball_that_loses_all_rests_at_the_first_touch) {
 
 TEST(EventRest, a_ball_that_lies_on_the_floor_stays_whatever_its_restitution) {
   for (const double e : {0.0, 0.5, 1.0}) {
-    Course run(contact_box(10, 10, e), {ball(5, 0.5), ball(7, 0.5)});
+    Course run(contact_box(10, 10, e), {contact_ball(5, 0.5), contact_ball(7, 0.5)});
     EXPECT_EQ(run.at(50)[0].position.y(), 0.5) << e;
     EXPECT_EQ(run.at(100)[1].position.y(), 0.5) << e;
     EXPECT_EQ(run.impacts(), 0U) << e;
@@ -64,7 +64,7 @@ TEST(EventRest, a_ball_that_lies_on_the_floor_stays_whatever_its_restitution) {
 TEST(EventRest, any_wall_and_any_direction_of_gravity_hold_a_ball) {
   const std::vector<Vec2> pulls{{0, 5}, {5, 0}, {-5, 0}, {3, -4}, {-3, 4}};
   for (const Vec2& pull : pulls) {
-    Course run(contact_box(8, 6, 0.5, pull), {ball(4, 3)});
+    Course run(contact_box(8, 6, 0.5, pull), {contact_ball(4, 3)});
     const Ball end = run.at(60)[0];
     if (pull.x() != 0) {
       EXPECT_EQ(end.position.x(), pull.x() < 0 ? 0.5 : 7.5);
@@ -78,7 +78,7 @@ TEST(EventRest, any_wall_and_any_direction_of_gravity_hold_a_ball) {
 
 // On the floor it glides like a free ball: v e^n after n side walls.
 TEST(EventRest, a_ball_that_rests_on_the_floor_glides_on_and_turns_at_the_side_walls) {
-  Course run(contact_box(10, 10, 0.5), {ball(5, 1.5, 1)});
+  Course run(contact_box(10, 10, 0.5), {contact_ball(5, 1.5, 1)});
   const double fall = std::sqrt(2 / 9.81);
   const Ball before = run.at(3 * fall + 0.1)[0];
   EXPECT_EQ(before.position.y(), 0.5);
@@ -93,7 +93,8 @@ TEST(EventRest, a_ball_that_rests_on_the_floor_glides_on_and_turns_at_the_side_w
 // bisected.
 TEST(EventRest, a_ball_that_falls_on_one_that_lies_meets_it_where_the_two_paths_say) {
   const double g = 10;
-  Course run(contact_box(20, 20, 0.5, {0, -g}), {ball(5, 0.5, 1), ball(5.75, 6.5, 0.5)});
+  Course run(contact_box(20, 20, 0.5, {0, -g}),
+             {contact_ball(5, 0.5, 1), contact_ball(5.75, 6.5, 0.5)});
   const auto gap = [&](double t) {
     const double x = 0.75 - 0.5 * t;
     const double y = 6 - g * t * t / 2;
@@ -112,7 +113,7 @@ TEST(EventRest, a_ball_that_falls_on_one_that_lies_meets_it_where_the_two_paths_
 }
 
 TEST(EventRest, a_ball_dropped_on_the_top_of_a_fixed_one_rests_there) {
-  Course run(contact_box(10, 10, 0.5), {fixed_ball(5, 3), ball(5, 5)});
+  Course run(contact_box(10, 10, 0.5), {fixed_ball(5, 3), contact_ball(5, 5)});
   const double rest = std::sqrt(2 / 9.81) * 3;
   run.at(rest * 0.999);
   EXPECT_EQ(run.measured().resting_contacts, 0U);
@@ -126,18 +127,19 @@ TEST(EventRest, a_ball_dropped_on_the_top_of_a_fixed_one_rests_there) {
 }
 
 TEST(EventRest, a_ball_beside_the_top_of_a_fixed_one_slides_off) {
-  Course run(contact_box(10, 10, 0.5), {fixed_ball(5, 3), ball(5 + 1e-6, 5)});
+  Course run(contact_box(10, 10, 0.5), {fixed_ball(5, 3), contact_ball(5 + 1e-6, 5)});
   EXPECT_LT(run.at(30)[1].position.y(), 1);
 }
 
 TEST(EventRest, a_ball_comes_to_rest_between_two_fixed_ones_and_between_one_and_a_wall) {
   const double height = std::sqrt(0.75);
-  Course two(contact_box(10, 10, 0.4), {fixed_ball(4.5, 3), fixed_ball(5.5, 3), ball(5.1, 5, 0.3)});
+  Course two(contact_box(10, 10, 0.4),
+             {fixed_ball(4.5, 3), fixed_ball(5.5, 3), contact_ball(5.1, 5, 0.3)});
   const Ball on_two = two.at(20)[2];
   EXPECT_NEAR(on_two.position.x(), 5, 1e-6);
   EXPECT_NEAR(on_two.position.y(), 3 + height, 1e-6);
   EXPECT_EQ(speed(on_two), 0);
-  Course wall(contact_box(10, 10, 0.4), {fixed_ball(1, 3), ball(0.5, 6)});
+  Course wall(contact_box(10, 10, 0.4), {fixed_ball(1, 3), contact_ball(0.5, 6)});
   const Ball wedged = wall.at(20)[1];
   EXPECT_EQ(wedged.position.x(), 0.5);
   EXPECT_NEAR(wedged.position.y(), 3 + height, 1e-6);
@@ -151,7 +153,7 @@ TEST(EventRest, a_ball_comes_to_rest_between_two_fixed_ones_and_between_one_and_
 TEST(EventRest, a_ball_that_is_thrown_along_a_floor_ends_rolling_on_it) {
   Scene scene = contact_box(100, 10, 0.5);
   scene.effects.friction = Friction{0.3, 0.2};
-  Course run(scene, {ball(5, 0.5, 6)});
+  Course run(scene, {contact_ball(5, 0.5, 6)});
   for (int look = 1; look < 20; ++look) {
     const Ball b = run.at(0.05 * look)[0];
     EXPECT_NEAR(b.velocity.x(), 6 - 0.2 * 9.81 * 0.05 * look, 0.1) << look;

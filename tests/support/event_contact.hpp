@@ -7,18 +7,17 @@
 
 namespace carom::test {
 
-/// A ball of radius 0.5 and mass 1.
-inline Ball contact_ball(double x, double y, double vx = 0, double vy = 0) {
+/// A ball of mass 1.
+inline Ball contact_ball(double x, double y, double vx = 0, double vy = 0, double radius = 0.5) {
   Ball result;
   result.position = {x, y};
   result.velocity = {vx, vy};
-  result.radius = 0.5;
+  result.radius = radius;
   return result;
 }
 
 inline Ball fixed_ball(double x, double y, double radius = 0.5) {
-  Ball result = contact_ball(x, y);
-  result.radius = radius;
+  Ball result = contact_ball(x, y, 0, 0, radius);
   result.fixed = true;
   return result;
 }

@@ -10,14 +10,6 @@
 
 namespace carom::test {
 
-inline Ball ball(double x, double y, double vx = 0, double vy = 0, double radius = 0.5) {
-  Ball result;
-  result.position = {x, y};
-  result.velocity = {vx, vy};
-  result.radius = radius;
-  return result;
-}
-
 /// A run of the exact method, looked at now and then.
 class Course {
  public:

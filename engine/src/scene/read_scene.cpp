@@ -252,7 +252,7 @@ class SceneReader : public ValueReader {
   }
 
   void add_line(double at, std::size_t number, Command command) {
-    lines_.push_back({{at, std::move(command)}, number, std::nullopt});
+    lines_.push_back({{at, command}, number, std::nullopt});
   }
 
   std::vector<Line> lines_;
@@ -281,7 +281,7 @@ void take_script(std::string_view text, std::vector<Line> lines, Draft& draft) {
       });
       std::get<command::SetEffects>(line.entry.command).effects = named;
     }
-    draft.scene.script.push_back(std::move(line.entry));
+    draft.scene.script.push_back(line.entry);
     draft.script_lines.push_back(line.number);
   }
 }

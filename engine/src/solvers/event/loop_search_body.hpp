@@ -106,8 +106,8 @@ void EventLoop<P>::predict(Index i, At now) {
   if (motion_.fixed(me)) return;
   ++counts_.predictions;
   Meeting<P> best{me.meets, kUnknown};
-  const bool support = motion_.contacts_last() && !motion_.flies(me);
-  if (support) {
+  const bool supported = motion_.contacts_last() && !motion_.flies(me);
+  if (supported) {
     // First, as it leaves less to look for.
     best.time = std::min(best.time, beyond_flight(me));
     const Meeting<P> alone = motion_.alone(me, best.time, spin(i));
@@ -120,7 +120,7 @@ void EventLoop<P>::predict(Index i, At now) {
       if (node->next == 0) break;
     }
   }
-  if (!support) predict_alone(i, best);
+  if (!supported) predict_alone(i, best);
   if (best.time < now) best.time = now;
   link(i, best);
 }

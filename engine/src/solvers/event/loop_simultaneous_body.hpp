@@ -136,7 +136,7 @@ void EventLoop<P>::wait_for_all_that_are_met(At now) {
   const std::size_t known = waiting_.size();
   const auto add = [&](Index i, Index j) {
     if (has_pair(waiting_, i, j) || is_resolved(i, j) || !comes_nearer(i, j, now)) return;
-    waiting_.push_back({i, j});
+    waiting_.emplace_back(i, j);
   };
   for (std::size_t k = 0; k < known; ++k) {
     for (const Index i : {waiting_[k].first, waiting_[k].second}) {

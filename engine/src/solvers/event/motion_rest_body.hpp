@@ -210,8 +210,9 @@ bool Motion<P>::sticks(const Disk& a, const Disk& b, const Vec<S>& r, At now) co
   if (elastic_) return false;
   if (jammed(a, b, now)) return true;
   if (rules_.restitution == 1 && !has_support(a) && !has_support(b)) return false;
-  const auto support = [this](const Disk& disk) { return fixed(disk) || this->support(disk) != 0; };
-  if ((in_island(a) && support(b)) || (support(a) && in_island(b))) return speed <= speed_of_step_;
+  const auto supported = [this](const Disk& disk) { return fixed(disk) || support(disk) != 0; };
+  if ((in_island(a) && supported(b)) || (supported(a) && in_island(b)))
+    return speed <= speed_of_step_;
   return pressing > 0 && speed * pull_ <= pressing * speed_of_step_;
 }
 

@@ -99,8 +99,9 @@ void ConflictSets::close(Index ball) {
   closing_.clear();
   const auto list = [this](Index i) { closing_.push_back(i); };
   sets_.each(ball, list);
-  for (std::size_t next = 0; next < closing_.size(); ++next) {
-    const Index i = closing_[next];
+  std::size_t next = 0;
+  while (next < closing_.size()) {  // it grows on the way
+    const Index i = closing_[next++];
     const auto first =
         std::lower_bound(supports_.begin(), supports_.end(), Encounter{i, 0}, before);
     for (auto at = first; at != supports_.end() && at->first == i; ++at) {
