@@ -23,6 +23,7 @@
 #include "solvers/event/event_queue.hpp"
 #include "solvers/event/groups/path.hpp"
 #include "solvers/event/huge_pages.hpp"
+#include "solvers/event/jam_watch.hpp"
 #include "solvers/event/motion.hpp"
 #include "solvers/event/neighbours.hpp"
 #include "solvers/event/sampled_costs.hpp"
@@ -30,22 +31,9 @@
 
 namespace carom::event {
 
-// So many impacts within so short a time are none of losses that add up, nor of balls that are
-// jammed: those are 4e5 at most for a restitution of 0.9999.
-inline constexpr std::uint64_t kManyImpacts = 1000000;
-/// The same for elastic balls that gravity presses together, which nothing slows down: within 2^-10
-/// of the time in which something crosses the box.
-inline constexpr std::uint64_t kManyElastic = 256;
-inline constexpr int kElasticSpan = 10;
-inline constexpr std::int64_t kShortTicks = std::int64_t{1} << 30;
 /// Impacts of one ball at one instant of which later ones are not resolved together with the
 /// earlier ones.
 inline constexpr int kManyAtOnce = 256;
-/// How often balls are taken as jammed before time goes on.
-inline constexpr int kMostJams = 1000;
-inline constexpr int kMostDoublings = 12;
-/// For how many of the spans in which impacts are watched for they are taken as jammed at most.
-inline constexpr int kLongestJam = 64;
 /// How often what an island's contacts hold, and the energy it keeps, are seen to in turn.
 inline constexpr int kMostTurns = 32;
 
@@ -280,12 +268,8 @@ class EventLoop {
   /// Whether this contact was one of those resolved together at this instant: to resolve them again
   /// would change nothing.
   [[nodiscard]] bool is_resolved(Index i, Index j) const;
-  /// So near are balls that are taken as jammed, in parts of their contact's distance.
-  [[nodiscard]] double jam_gap() const {
-    return kTouching * std::ldexp(1.0, std::min(jams_ - 1, kMostDoublings));
-  }
   /// What is taken as jammed in vain loses what its contacts have of speed.
-  [[nodiscard]] bool gives_up() const { return jams_ > kMostDoublings; }
+  [[nodiscard]] bool gives_up() const { return jam_watch_.level().gives_up(); }
   [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;
 
   // Contacts that rest: loop_rest_body.hpp.
@@ -400,15 +384,9 @@ class EventLoop {
   std::vector<Pair> resolved_;  ///< contacts of the joint impacts at that instant
   std::vector<Pair> pressed_;   ///< what is to come to rest at that instant
   std::vector<Index> changed_;  ///< balls whose next impact is to be looked for
-  std::size_t at_once_ = 0;     ///< impacts at that instant
   std::vector<int> hits_;       ///< the same by ball
   std::vector<Index> hit_;      ///< balls of which there are any
-  Time watched_from_ = 0;       ///< impacts are counted from here
-  std::uint64_t watched_ = 0;   ///< since then
-  int jams_ = 0;                ///< since then: too many impacts
-  int jammed_at_ = 0;           ///< what `jams_` was when it last ended
-  int jam_lasts_ = 1;           ///< in spans in which impacts are watched for
-  int spans_ = 2;               ///< since a jam was found, or was over
+  JamWatch<typename P::Clock> jam_watch_;
 };
 
 }  // namespace carom::event

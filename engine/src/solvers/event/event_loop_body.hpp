@@ -49,13 +49,7 @@ void EventLoop<P>::reset(const std::vector<Disk>& disks, At now, const std::vect
   }
   ties_.clear();
   impact_time_ = Time(-1);  // an impact at this very moment begins an instant
-  at_once_ = 0;
-  watched_from_ = now;
-  watched_ = 0;
-  jams_ = 0;
-  jammed_at_ = 0;
-  jam_lasts_ = 1;
-  spans_ = 2;
+  jam_watch_.reset(now, std::max(population_, disks_.size()), motion_.elastic());
   next_step_ = P::Clock::never();
   stepped_ = now;
   resolution_of_.assign(n, -1);
@@ -207,7 +201,7 @@ void EventLoop<P>::rebase(At by) {
   reached_ -= by;
   // Times of earlier epochs are only known to be earlier: their ticks do not fit into a number.
   stepped_ = stepped_ >= by ? Time(stepped_ - by) : Time(-1);
-  watched_from_ = watched_from_ >= by ? Time(watched_from_ - by) : Time(Time(-1) - kShortTicks);
+  jam_watch_.rebase(by);
   impact_time_ = impact_time_ >= by ? Time(impact_time_ - by) : Time(-1);
   for (Past& past : past_) {
     const Time oldest = P::Clock::ever() + by;

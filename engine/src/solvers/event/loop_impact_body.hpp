@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "solvers/event/event_loop.hpp"
 
@@ -12,38 +11,10 @@ template <class P>
 void EventLoop<P>::watch(At now) {
   if (now != impact_time_) {
     impact_time_ = now;
-    at_once_ = 0;
     begin_simultaneous();
-    Time span = kShortTicks;
-    if (motion_.elastic()) {
-      span = P::Clock::span(1, P::Clock::bits() - kElasticSpan);
-    }
-    if (now - watched_from_ > span) {
-      watched_from_ = now;
-      watched_ = 0;
-      ++spans_;
-      jams_ = std::min(jams_, kMostDoublings);  // it gives up for no longer
-      if (jams_ > 0 && spans_ >= jam_lasts_) jams_ = spans_ = 0;
-    }
+    jam_watch_.begin_instant(now);
   }
-  ++watched_;
-  const std::size_t balls = std::max(population_, disks_.size());
-  const bool elastic = motion_.elastic();
-  const std::uint64_t many = elastic ? kManyElastic + 16 * balls : kManyImpacts + 1000 * balls;
-  if (++at_once_ <= 1000 + 100 * balls && watched_ <= many) return;
-  // Balls that are jammed in a gap of next to nothing are resolved as if there were none; each
-  // time that this does not end it, of a gap twice as wide; and for twice as long, each time that
-  // it begins again as soon as it has ended.
-  if (jams_ == 0) jam_lasts_ = spans_ > 1 ? 1 : std::min(2 * jam_lasts_, kLongestJam);
-  spans_ = 0;
-  jams_ = jams_ > 0 ? jams_ + 1 : std::clamp(jammed_at_, 1, kMostDoublings);
-  jammed_at_ = jams_;
-  if (jams_ > kMostJams) {
-    throw std::runtime_error(
-        "impacts follow each other without end: such contacts are for method \"overlap\"");
-  }
-  at_once_ = 0;
-  watched_ = 0;
+  if (!jam_watch_.note_impact()) return;
   // What was resolved without all that is so near is to be resolved with it.
   resolved_.clear();
   linked_.clear();

@@ -125,7 +125,7 @@ std::optional<bool> EventLoop<P>::is_joint(Index i, Index partner, At now) {
   if (again && (is_resolved(i, partner) || hits > kManyAtOnce || !comes_nearer(i, partner, now))) {
     return std::nullopt;
   }
-  return again || jams_ > 0 || tied(i, partner, now) ||
+  return again || jam_watch_.level().jammed() || tied(i, partner, now) ||
          (motion_.clusters() && ball && motion_.collapses(disks_[i], disks_[partner], now));
 }
 

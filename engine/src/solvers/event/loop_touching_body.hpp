@@ -71,7 +71,9 @@ bool EventLoop<P>::touch(Index i, Index j, At now, const Vec<S>& r) const {
   const Disk& a = disks_[i];
   const Disk& b = disks_[j];
   const S reach = motion_.species(a).radius + motion_.species(b).radius;
-  if (!(squared_gap(r, reach) > 0) || (jams_ > 0 && near(r, reach, S(jam_gap())))) return true;
+  if (!(squared_gap(r, reach) > 0)) return true;
+  const JamLevel& jam = jam_watch_.level();
+  if (jam.jammed() && near(r, reach, S(jam.gap()))) return true;
   if (motion_.clusters() &&
       near(r, S(motion_.species(a).radius + motion_.species(b).radius), S(kTouching / 32)) &&
       motion_.collapses(a, b, now)) {
@@ -147,10 +149,11 @@ void EventLoop<P>::add_contacts(SimultaneousImpact& group, std::size_t member, A
   const auto& rules = motion_.rules();
   if (motion_.fixed(disk)) return;
   const bool in_island = motion_.contacts_last() && motion_.in_island(disk);
+  const JamLevel& jam = jam_watch_.level();
   for (Index wall = kWalls; wall < kWalls + 4 && !in_island; ++wall) {
     if (!rules.domain.solid((wall - kWalls) / 2)) continue;
     const S gap = motion_.wall(disk, group.places[member], wall).gap;
-    const bool near = jams_ > 0 && !(gap > 2 * motion_.species(disk).radius * jam_gap());
+    const bool near = jam.jammed() && !(gap > 2 * motion_.species(disk).radius * jam.gap());
     const bool meets = !(gap > 0) || motion_.wall_event(disk, wall) == now || is_linked(i, wall);
     if (!meets && !near) continue;
     const S side = wall % 2 == kWalls % 2 ? -1 : 1;
