@@ -16,7 +16,7 @@ TEST(AnyRun, KeepsEveryInvariant) {
 // through drag as if there were none.  3063, 3319: what method overlap puts back onto a wall was in
 // the book and in no line.  3175, 3183: what bounces without an impulse was counted.
 TEST(AnyRun, KeepsWhatWasOnceBroken) {
-  for (const std::uint64_t seed : {3203, 3215, 3063, 3319, 3175, 3183}) {
+  for (const std::uint64_t seed : {3203, 3215, 3063, 3319, 3175, 3183, 3055, 4075}) {
     EXPECT_EQ(test::try_invariants(test::any_scene(seed)).broken, "") << seed;
   }
 }

@@ -52,6 +52,19 @@ TEST(ContactsLast, NotWithoutGravityOrAnythingToTouch) {
   EXPECT_FALSE(last(lossy));
 }
 
+TEST(ContactsLast, WhereAttractionPressesAndImpactsLoseEnergy) {
+  Effects pulled = elastic();
+  pulled.gravity.reset();
+  pulled.attraction = Attraction{1, 0.5};
+  EXPECT_FALSE(last(pulled));
+  EXPECT_FALSE(last(pulled, 17));
+  pulled.collisions->restitution = 0.5;
+  EXPECT_TRUE(last(pulled));
+  EXPECT_FALSE(contacts_last(pulled, Balls(std::vector<Ball>(1), pulled)));
+  pulled.attraction->strength = -1;
+  EXPECT_FALSE(last(pulled));
+}
+
 TEST(ContactsLast, WhereAHeavyBallLiesOnALightOne) {
   EXPECT_FALSE(last(elastic(), 16));
   EXPECT_TRUE(last(elastic(), 17));

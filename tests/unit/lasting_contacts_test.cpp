@@ -18,7 +18,7 @@ struct Floor {
     rule.fall = {0, -8 * rule.step * rule.step / 2};
     rule.gain = {0, -8 * rule.step};
     rule.restitution = rule.wall_restitution = 0.5;
-    rule.rest_speed = 16 * rule.step;
+    rule.loses = true;
     contacts.wake_all(balls);
   }
 

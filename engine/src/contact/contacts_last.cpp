@@ -22,12 +22,13 @@ bool masses_differ(const Balls& balls) {
 }  // namespace
 
 bool contacts_last(const Effects& effects, const Balls& balls) {
-  const bool pulled = effects.gravity && effects.gravity->acceleration != Vec2{0, 0};
+  const bool falls = effects.gravity && effects.gravity->acceleration != Vec2{0, 0};
+  const bool attracted = effects.attraction && effects.attraction->strength > 0 && balls.size() > 1;
   const bool collide = effects.collisions && effects.collisions->on;
   const bool walls = effects.walls && effects.walls->on;
-  if (!pulled || !(collide || walls)) return false;
+  if (!(falls || attracted) || !(collide || walls)) return false;
   if (loses_energy(effects) || (effects.friction && walls)) return true;
-  return collide && masses_differ(balls);
+  return falls && collide && masses_differ(balls);
 }
 
 }  // namespace carom::contact

@@ -5,8 +5,8 @@
 
 namespace carom::contact {
 
-/// Whether lasting contacts are looked for: gravity presses balls together that come to rest by
-/// losses, or whose masses differ so much that one lies on the other for many steps.
+/// Whether lasting contacts are looked for: gravity or attraction presses balls together that come
+/// to rest by losses, or whose masses differ so much that one lies on the other for many steps.
 [[nodiscard]] bool contacts_last(const Effects& effects, const Balls& balls);
 
 }  // namespace carom::contact

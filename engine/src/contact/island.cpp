@@ -304,7 +304,7 @@ bool IslandStep::holds(const std::vector<IslandBody>& bodies,
   std::vector<IslandBody> still = bodies;
   for (IslandBody& body : still) {
     body.before = {0, 0};
-    body.free = rule.step * rule.acceleration;
+    body.free = rule.step * acceleration_of(body, rule);
     body.free_mean = body.free / 2;
     body.turning = 0;
   }

@@ -19,6 +19,7 @@ struct IslandBody {
   Vec2 free{0, 0};          ///< at its end, if nothing touched the ball
   Vec2 free_mean{0, 0};     ///< what would carry it through the step then
   double turning = 0;       ///< spin times radius, at the start
+  Vec2 pull{0, 0};          ///< its acceleration beside that which all have
 };
 
 /// Two balls of an island that are near each other, or one and what never moves.
@@ -60,7 +61,7 @@ class IslandStep {
  public:
   struct Rule {
     double step = 0;
-    Vec2 acceleration{0, 0};
+    Vec2 acceleration{0, 0};  ///< of all bodies
     double rest_speed = 0;
     double speed = 0;   ///< the scale of speeds: what the acceleration makes in a step
     double fading = 1;  ///< what drag leaves of a velocity gained in the middle of the step

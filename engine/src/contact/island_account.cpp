@@ -10,15 +10,16 @@ double lost_by(const LastingIsland& island, const Balls& balls, const Domain& do
   double lost = 0;
   for (const LastingIsland::Member& member : island.members) {
     const Vec2 from = member.woken ? member.start : member.flown;
-    const Vec2 was = member.woken ? member.before : member.flown_velocity;
+    const Vec2 was = member.woken ? member.before : member.flown_velocity + member.pulled;
     const double spin = balls.spin.size() > 0 ? balls.spin[member.ball] : 0;
     const double turning = spin * member.radius;
     const double turned_before = member.spin * member.radius;
     const double turned = (turned_before - turning) * (turned_before + turning) / 2;
-    const Vec2 now{balls.velocity[0][member.ball], balls.velocity[1][member.ball]};
+    const Vec2 now =
+        Vec2{balls.velocity[0][member.ball], balls.velocity[1][member.ball]} + member.pulled;
     const double moving = (was - now).dot(was + now) + turned;
     const Vec2 way = nearest_image(balls.at(member.ball) - from, domain);
-    lost += (moving / 2 + acceleration.dot(way)) / member.inverse_mass;
+    lost += (moving / 2 + (acceleration + member.pull).dot(way)) / member.inverse_mass;
   }
   return lost;
 }
@@ -34,7 +35,7 @@ void note_contacts(const LastingIsland& island, const Balls& balls, const Island
   const auto nearest = static_cast<std::size_t>(
       std::min_element(island.contacts.begin(), island.contacts.end(), nearer) -
       island.contacts.begin());
-  const bool put_back = carried == 0 && island.lost > 0;
+  const bool put_back = carried == 0 && island.lost != 0;
   double shares = 0;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     if (!(outcome.normal[k] > 0) && !(put_back && k == nearest)) continue;
@@ -67,20 +68,20 @@ void note_contacts(const LastingIsland& island, const Balls& balls, const Island
         impact.normal = -impact.normal;
       }
     }
-    Vec2 speed = a.flown_velocity + outcome.after[static_cast<std::size_t>(c.a)];
+    Vec2 speed = a.flown_velocity + a.pulled + outcome.after[static_cast<std::size_t>(c.a)];
     if (c.b >= 0) {
       const auto b = static_cast<std::size_t>(c.b);
-      speed -= island.members[b].flown_velocity + outcome.after[b];
+      const LastingIsland::Member& other = island.members[b];
+      speed -= other.flown_velocity + other.pulled + outcome.after[b];
     }
     const double lost = outcome.normal[k] * speed.dot(island.frame.out(c.normal)) / 2;
     impact.energy_lost = std::max(0.0, lost);
     shares += impact.energy_lost;
   }
   // What no normal impulse has taken, as friction's, stands with the first.
-  const double all = std::max(island.lost, 0.0);
   for (std::size_t k = first; k < log.impacts.size(); ++k) {
     double& part = log.impacts[k].energy_lost;
-    part = shares > 0 ? all * (part / shares) : k == first ? all : 0;
+    part = shares > 0 ? island.lost * (part / shares) : k == first ? island.lost : 0;
   }
 }
 

@@ -26,8 +26,11 @@ double opening_of(const std::vector<Vec2>& motion, const IslandContact& c) {
 double arrival(const std::vector<IslandBody>& bodies, const IslandContact& c,
                const IslandStep::Rule& rule) {
   const double closing = -opening_before(bodies, c);
-  if (c.b >= 0 || !(closing > 0)) return closing;
-  const double pull = rule.acceleration.dot(c.normal);
+  if (!(closing > 0)) return closing;
+  const IslandBody& a = bodies[at(c.a)];
+  const double pull = c.b < 0 ? acceleration_of(a, rule).dot(c.normal)
+                              : (a.pull - bodies[at(c.b)].pull).dot(c.normal);
+  if (c.b >= 0 && pull == 0) return closing;
   return std::sqrt(std::max(closing * closing + 2 * pull * std::max(c.gap, 0.0), 0.0));
 }
 

@@ -18,6 +18,11 @@ inline Vec2 across(const Vec2& normal) {
   return {-normal.y(), normal.x()};
 }
 
+/// The acceleration of a body.
+inline Vec2 acceleration_of(const IslandBody& body, const IslandStep::Rule& rule) {
+  return rule.acceleration + body.pull;
+}
+
 /// How fast a contact opens, by the velocities of all bodies.
 [[nodiscard]] double opening_of(const std::vector<Vec2>& motion, const IslandContact& contact);
 

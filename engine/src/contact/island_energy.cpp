@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/island_contact.hpp"
+
 namespace carom::contact {
 namespace {
 
@@ -59,7 +61,8 @@ double gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule,
     const double turning = outcome.turning[i];
     double twice = outcome.after[i].squaredNorm() - body.before.squaredNorm();
     twice += (turning * turning - body.turning * body.turning) / 2;
-    sum += (twice / 2 - rule.step * rule.acceleration.dot(outcome.mean[i])) / body.inverse_mass;
+    sum += (twice / 2 - rule.step * acceleration_of(body, rule).dot(outcome.mean[i])) /
+           body.inverse_mass;
   }
   return sum;
 }
@@ -107,7 +110,8 @@ void lose_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& ru
   if (!(grown > rounding_of_gain(bodies, rule))) return;
   double work = 0;  // of the way from the one to the other
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    work += rule.acceleration.dot(plastic[i] - outcome.mean[i]) / bodies[i].inverse_mass;
+    work +=
+        acceleration_of(bodies[i], rule).dot(plastic[i] - outcome.mean[i]) / bodies[i].inverse_mass;
   }
   const double needed = grown / rule.step;
   const double part = work > needed ? needed / work : 1;
@@ -126,7 +130,7 @@ void end_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rul
   double lifting = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const double mass = 1 / bodies[i].inverse_mass;
-    lifting -= mass * rule.step * rule.acceleration.dot(outcome.mean[i] - way);
+    lifting -= mass * rule.step * acceleration_of(bodies[i], rule).dot(outcome.mean[i] - way);
   }
   // What is left at a part of both: part^2 moving + part lifting, of which there must be no more
   // than before.
@@ -151,11 +155,12 @@ void confine(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule
   }
 }
 
-void pay_for_rounding(const IslandStep::Rule& rule, const std::vector<Vec2>& inside,
-                      IslandOutcome& outcome) {
+void pay_for_rounding(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule,
+                      const std::vector<Vec2>& inside, IslandOutcome& outcome) {
   for (std::size_t i = 0; i < inside.size(); ++i) {
     if (inside[i] == outcome.mean[i]) continue;
-    const double gained = rule.step * rule.acceleration.dot(outcome.mean[i] - inside[i]);
+    const Vec2 acceleration = acceleration_of(bodies[i], rule);
+    const double gained = rule.step * acceleration.dot(outcome.mean[i] - inside[i]);
     const double moving = outcome.after[i].squaredNorm() / 2;
     if (std::abs(gained) < kPaidAtMost * moving) outcome.after[i] *= std::sqrt(1 - gained / moving);
   }

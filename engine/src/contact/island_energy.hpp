@@ -38,7 +38,7 @@ void confine(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule
 /// Where nothing is lost in impacts: the balls will be put at the ends of the ways `inside` the
 /// walls, which are off their own by no more than solutions are inexact to; what this lifts a ball
 /// that is not slow, its speed pays for.
-void pay_for_rounding(const IslandStep::Rule& rule, const std::vector<Vec2>& inside,
-                      IslandOutcome& outcome);
+void pay_for_rounding(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule,
+                      const std::vector<Vec2>& inside, IslandOutcome& outcome);
 
 }  // namespace carom::contact

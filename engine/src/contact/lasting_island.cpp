@@ -4,6 +4,7 @@
 #include <cmath>
 #include <compare>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace carom::contact {
@@ -11,7 +12,8 @@ namespace {
 
 using Order = std::vector<std::uint32_t>;
 
-// Frames in which the acceleration points down, and to the right if it leans; one or two.
+// Frames in which the acceleration points down, and to the right if it leans: one or two, or all
+// eight where there is none.
 std::vector<Frame> frames_of(const Vec2& acceleration) {
   const double across = std::abs(acceleration.x());
   const double along = std::abs(acceleration.y());
@@ -22,9 +24,11 @@ std::vector<Frame> frames_of(const Vec2& acceleration) {
     const Vec2 turned = frame.into(acceleration);
     frame.sign = {turned.x() < 0 ? -1.0 : 1.0, turned.y() > 0 ? -1.0 : 1.0};
     frames.push_back(frame);
-    if (turned.x() != 0) return;
-    frame.sign[0] = -1;
-    frames.push_back(frame);
+    if (turned.x() == 0) frames.push_back({swaps, {-1, frame.sign.y()}});
+    if (turned.y() == 0) {
+      frames.push_back({swaps, {1, -1}});
+      frames.push_back({swaps, {-1, -1}});
+    }
   };
   add(across > along);
   if (across == along) add(true);
@@ -72,7 +76,8 @@ void arrange(LastingIsland& island, const Frame& frame, const Order& order, doub
     IslandBody body;
     body.inverse_mass = member.inverse_mass;
     body.before = frame.into(member.before);
-    body.free = frame.into(member.flown_velocity);
+    body.free = frame.into(member.flown_velocity + member.pulled);
+    body.pull = frame.into(member.pull);
     body.free_mean = frame.into(member.flight) / step;
     body.turning = frame.turn() * member.spin * member.radius;
     island.bodies.push_back(body);
@@ -132,17 +137,26 @@ std::vector<double> signature(const LastingIsland& island) {
 }  // namespace
 
 void LastingIsland::lay_out(const Vec2& acceleration, double step) {
-  const std::vector<Frame> frames = frames_of(acceleration);
-  const Order order = order_of(members, frames.front());
-  if (frames.size() == 1) return arrange(*this, frames.front(), order, step);
-  const Order other = order_of(members, frames.back());
-  const auto which = compare(members, frames.front(), order, frames.back(), other);
-  if (std::is_lt(which)) return arrange(*this, frames.front(), order, step);
-  if (std::is_gt(which)) return arrange(*this, frames.back(), other, step);
-  LastingIsland mirrored = *this;
-  arrange(mirrored, frames.back(), other, step);
-  arrange(*this, frames.front(), order, step);
-  if (signature(mirrored) < signature(*this)) *this = std::move(mirrored);
+  // Those of its mirror images whose places come first; nearly always it is one.
+  std::vector<std::pair<Frame, Order>> first;
+  for (const Frame& one : frames_of(acceleration)) {
+    Order order = order_of(members, one);
+    if (!first.empty()) {
+      const auto which = compare(members, one, order, first.front().first, first.front().second);
+      if (std::is_gt(which)) continue;
+      if (std::is_lt(which)) first.clear();
+    }
+    first.emplace_back(one, std::move(order));
+  }
+  std::optional<LastingIsland> image;
+  for (std::size_t k = 1; k < first.size(); ++k) {
+    LastingIsland other = *this;
+    arrange(other, first[k].first, first[k].second, step);
+    if (image && !(signature(other) < signature(*image))) continue;
+    image = std::move(other);
+  }
+  arrange(*this, first.front().first, first.front().second, step);
+  if (image && signature(*image) < signature(*this)) *this = std::move(*image);
 }
 
 void LastingIsland::turn_back(IslandOutcome& outcome) const {

@@ -40,6 +40,8 @@ struct LastingIsland {
     Vec2 flown{0, 0};   // where and how fast it would be without contacts
     Vec2 flown_velocity{0, 0};
     Vec2 flight{0, 0};  // the way from start to flown
+    Vec2 pull{0, 0};    // its acceleration by attraction at the start
+    Vec2 pulled{0, 0};  // the speed that makes in half a step
     double inverse_mass = 0;
     double radius = 0;
     double spin = 0;
@@ -72,7 +74,7 @@ struct LastingIsland {
     contacts.push_back(contact);
     sources.push_back(source);
   }
-  /// Chooses the frame and the order, and turns all into it.  The acceleration must not be 0.
+  /// Chooses the frame and the order, and turns all into it.
   void lay_out(const Vec2& acceleration, double step);
   /// Turns velocities and impulses back from the frame.
   void turn_back(IslandOutcome& outcome) const;

@@ -11,8 +11,8 @@
 namespace carom::contact {
 namespace {
 
-// Closer than this after the flight balls are linked, as a part of how far the acceleration takes
-// a ball in a step.
+// Closer than this after the flight balls are linked, as a part of how far the strongest
+// acceleration takes a ball in a step.
 constexpr double kLinked = 3;
 
 }  // namespace
@@ -38,7 +38,7 @@ void LastingIslands::find(const Balls& balls, std::span<const Pair> near,
                           std::span<const std::uint32_t> out) {
   seeds_.assign(out.begin(), out.end());
   sleepers_.list_woken(seeds_);  // they are solved, wherever they lie
-  const double gap = kLinked * rule_.acceleration.norm() * rule_.step * rule_.step;
+  const double gap = kLinked * rule_.strongest() * rule_.step * rule_.step;
   foreseen_.find(balls, near, out, gap, linked_);
   link(balls, near, gap);
   assemble(balls, near);
@@ -187,6 +187,11 @@ LastingIsland::Member LastingIslands::member(const Balls& balls, std::uint32_t b
   member.before = start_.velocity(ball);
   member.flown = balls.at(ball);
   member.flown_velocity = {balls.velocity[0][ball], balls.velocity[1][ball]};
+  if (balls.pull[0].size() > 0) {
+    member.pull = {balls.pull[0][ball], balls.pull[1][ball]};
+    member.pulled = rule_.step / 2 * member.pull;
+    member.before -= member.pulled;
+  }
   member.flight = nearest_image(member.flown - member.start, domain_);
   member.inverse_mass = balls.inverse_mass[ball];
   member.radius = balls.radius[ball];

@@ -77,7 +77,7 @@ void LastingStep::keep_inside(LastingIsland& island, const IslandStep::Rule& rul
   if (ends.out > kExact * rule.speed) {
     confine(island.bodies, rule, ends.inside, outcome);
   } else if (ends.out > 0 && rule.keeps_energy) {
-    pay_for_rounding(rule, ends.inside, outcome);
+    pay_for_rounding(island.bodies, rule, ends.inside, outcome);
   }
 }
 
@@ -85,7 +85,9 @@ void LastingStep::move(LastingIsland& island, Balls& balls, const IslandOutcome&
   for (std::size_t m = 0; m < island.members.size(); ++m) {
     LastingIsland::Member& member = island.members[m];
     const Vec2 place = member.start + rule_.step * outcome.mean[m];
-    put(balls, member, place, outcome.after[m], outcome.turning[m] / member.radius);
+    // The pull of the second half of a step is given when it is known.
+    const Vec2 velocity = outcome.after[m] - member.pulled;
+    put(balls, member, place, velocity, outcome.turning[m] / member.radius);
     const Vec2 pushed = rule_.step * outcome.mean[m] - member.flight;
     island.push = std::max(island.push, pushed.norm());
   }

@@ -125,6 +125,15 @@ void attract(Balls& balls, const Domain& domain, const Attraction& attraction, s
   attract_lanes<false, false>(balls, domain, attraction, begin, end);
 }
 
+double strongest_pull(const Balls& balls) {
+  double strongest = 0;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    if (balls.fixed(i)) continue;
+    strongest = std::max(strongest, Vec2{balls.pull[0][i], balls.pull[1][i]}.norm());
+  }
+  return strongest;
+}
+
 void kick(Balls& balls, double seconds, std::size_t begin, std::size_t end) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     double* velocity = balls.velocity[axis].data();

@@ -18,6 +18,9 @@ namespace carom::effects {
 void attract(Balls& balls, const Domain& domain, const Attraction& attraction, std::size_t begin,
              std::size_t end);
 
+/// The largest pull on a ball that can move.
+[[nodiscard]] double strongest_pull(const Balls& balls);
+
 /// Gives balls [begin, end) the velocity that their pull makes in some seconds.
 void kick(Balls& balls, double seconds, std::size_t begin, std::size_t end);
 

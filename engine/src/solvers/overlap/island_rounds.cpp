@@ -8,6 +8,7 @@ namespace carom::overlap {
 
 void IslandRounds::find_asleep() {
   if (std::exchange(knows_asleep_, true)) return;
+  if (!rules_.sleeps) return contacts_.wake_all(balls_);
   std::vector<Pair> near;
   if (rules_.collides) {
     if (pairs_.uses_list()) pairs_.build(rules_.step);

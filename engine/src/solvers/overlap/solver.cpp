@@ -75,7 +75,7 @@ std::size_t OverlapSolver::aim(double time) {
   if (rules_.collides) pairs_.cache_all_pairs();
   if (rules_.contacts_last) {
     rounds_.find_asleep();
-    if (contacts_.all_asleep() && !attract_) {
+    if (contacts_.all_asleep()) {
       steps_ = target_;
       return Phase::kFrameDone;
     }
@@ -153,6 +153,7 @@ std::size_t OverlapSolver::form_islands() {
     out_.insert(out_.end(), work.out.begin(), work.out.end());
   }
   if (!rules_.collides) touching_.clear();
+  if (attract_) rules_.lasting.attraction = effects::strongest_pull(balls_);
   rounds_.form(touching_, out_);
   return resolve_islands();
 }
@@ -168,7 +169,7 @@ std::size_t OverlapSolver::resolve_islands() {
 void OverlapSolver::resolve_island(std::size_t island, overlap::Work& work) {
   // Every few steps an island may be found to be at rest.
   constexpr std::uint64_t kAsked = 4;
-  contacts_.resolve(island, balls_, !attract_ && steps_ % kAsked == 0, work.island,
+  contacts_.resolve(island, balls_, rules_.sleeps && steps_ % kAsked == 0, work.island,
                     work.impacts.log);
 }
 

@@ -42,7 +42,9 @@ namespace carom {
 /// scene that starts too small ever to share it does not have the phase: see overlap::Plan.
 ///
 /// Where contacts can last, balls that touch are solved island by island instead, walls included,
-/// and fall asleep: see contact/lasting_contacts.hpp.  When all are asleep a step costs nothing.
+/// and, without attraction, fall asleep: see contact/lasting_contacts.hpp.  When all are asleep a
+/// step costs nothing.  There attraction is a force of the whole step for what touches, of which
+/// half a step is put right by what the pull is at the end.
 ///
 /// Holds: no memory from step to step beside the balls: lists of pairs never change the result.
 class OverlapSolver final : public Solver {

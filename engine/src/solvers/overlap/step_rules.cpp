@@ -15,6 +15,7 @@ StepRules::StepRules(const Effects& effects, const Balls& balls, double length)
       smallest_radius(std::numeric_limits<double>::infinity()),
       collides(effects.collisions && effects.collisions->on),
       contacts_last(contact::contacts_last(effects, balls)),
+      sleeps(contacts_last && !effects.attraction),
       loses(loses_energy(effects) || drag_rate > 0 || effects.friction) {
   for (const double radius : balls.radius) smallest_radius = std::min(smallest_radius, radius);
   const Vec2 acceleration = effects.gravity ? effects.gravity->acceleration : Vec2{0, 0};
@@ -38,13 +39,14 @@ StepRules::StepRules(const Effects& effects, const Balls& balls, double length)
   }
   lasting = {step,
              acceleration,
+             0,
              {glide[0].fall, glide[1].fall},
              {glide[0].gain, glide[1].gain},
              collision.restitution,
              collision.wall_restitution,
              collision.friction,
              collision.wall_friction,
-             loses_energy(effects) ? 2 * acceleration.norm() * step : 0,
+             loses_energy(effects),
              std::sqrt(glide[0].keep),
              !loses};
 }

@@ -24,6 +24,7 @@ struct StepRules {
   contact::LastingRule lasting;
   bool collides = false;
   bool contacts_last = false;  ///< contacts that last are looked for
+  bool sleeps = false;         ///< and balls fall asleep: what pulls them does not change
   bool loses = false;          ///< energy is lost by what the scene names
 
   StepRules() = default;
