@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "carom/simulation.hpp"
 #include "support/scenes.hpp"
@@ -182,6 +183,25 @@ TEST(OverlapContacts, HeavyAndLightInTurnRestForEver) {
     std::vector<Ball> balls;
     for (int k = 0; k < 4; ++k) balls.push_back(disk(5, 0.5 + k, k % 2 == 0 ? 1 : mass));
     expect_still(box(balls), 20);
+  }
+}
+
+// Loose balls fall and come to rest; what slides is solved to a part of its slip.
+TEST(OverlapContacts, BallsThatSlideOnEachOtherDoNotSink) {
+  for (const auto& [friction, seed] : {std::pair{0.1, 6U}, std::pair{0.3, 4U}}) {
+    Scene scene = rough(box({}), friction);
+    scene.box.width = 15.18;
+    scene.box.height = 3 * scene.box.width;
+    scene.effects.walls->restitution = scene.effects.collisions->restitution = 0.3;
+    Fill& fill = scene.fills.emplace_back();
+    fill.count = 200;
+    fill.radius = 0.4;
+    fill.temperature = 0.1;
+    scene.seed = seed;
+    scene.solver.step = 1.0 / 60;
+    Simulation simulation(scene);
+    simulation.advance_to(6);
+    EXPECT_LT(simulation.measure().max_overlap, 1e-3) << friction << " " << seed;
   }
 }
 

@@ -174,7 +174,8 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
   const bool held =
       std::any_of(contacts.begin(), contacts.end(), [](const IslandContact& c) { return c.b < 0; });
   const double moving = mean_speed(bodies, held);
-  const double apart = apart_speed(moving, rule);
+  // With friction contacts may close as fast as what counts as sticking slides.
+  const double apart = std::max(apart_speed(moving, rule), D == 3 ? kSlip * rule.speed : 0);
   // What hardly moves must be known as much better.
   const double slow = std::max(std::min(moving / rule.speed, 1.0), kSlowest);
   work.goal = (D == 3 ? kExact : kSolved) * slow * rule.speed;
