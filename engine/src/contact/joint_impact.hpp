@@ -409,6 +409,9 @@ class JointImpact {
   JointReport report_;
 };
 
+// In double it is compiled once, in joint_impact.cpp.
+extern template class JointImpact<double>;
+
 template <class S>
 JointReport joint_impact(std::span<Body<S>> bodies, std::span<const Contact<S>> contacts) {
   return JointImpact<S>(bodies, contacts).resolve();

@@ -33,6 +33,15 @@ struct Counts {
     max_overlap = std::max(max_overlap, other.max_overlap);
     return *this;
   }
+  /// Impacts that have been counted from `from` to `to`, and then were not.
+  void take_back(const Counts& from, const Counts& to) {
+    ball_ball -= to.ball_ball - from.ball_ball;
+    ball_wall -= to.ball_wall - from.ball_wall;
+    joint_impacts -= to.joint_impacts - from.joint_impacts;
+    jammed -= to.jammed - from.jammed;
+    resting_contacts -= to.resting_contacts - from.resting_contacts;
+    wakes -= to.wakes - from.wakes;
+  }
 };
 
 }  // namespace carom::event

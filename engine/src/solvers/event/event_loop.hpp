@@ -6,27 +6,33 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "contact/cone_island.hpp"
 #include "contact/disjoint_sets.hpp"
-#include "contact/dissipation.hpp"
 #include "contact/impact_log.hpp"
-#include "contact/joint_impact.hpp"
+#include "contact/joint_friction.hpp"
 #include "contact/rest_rules.hpp"
 #include "solvers/event/counts.hpp"
 #include "solvers/event/disk.hpp"
+#include "solvers/event/ended_flights.hpp"
 #include "solvers/event/energy_book.hpp"
+#include "solvers/event/event_costs.hpp"
 #include "solvers/event/event_queue.hpp"
+#include "solvers/event/flights_before.hpp"
 #include "solvers/event/groups/path.hpp"
 #include "solvers/event/huge_pages.hpp"
+#include "solvers/event/impact_notes.hpp"
+#include "solvers/event/impact_writer.hpp"
 #include "solvers/event/jam_watch.hpp"
 #include "solvers/event/motion.hpp"
 #include "solvers/event/neighbours.hpp"
-#include "solvers/event/sampled_costs.hpp"
+#include "solvers/event/resolutions.hpp"
+#include "solvers/event/simultaneous_impact.hpp"
+#include "solvers/event/simultaneous_pairs.hpp"
+#include "solvers/event/ties.hpp"
 #include "state/totals.hpp"
 
 namespace carom::event {
@@ -89,7 +95,7 @@ class EventLoop {
   void record(Paths<P>* paths) { paths_ = paths; }
   /// How often each flight since `reset` was brought back round a periodic axis that gravity pulls
   /// along; empty for other axes.
-  [[nodiscard]] const Turns& turns() const { return turns_; }
+  [[nodiscard]] const Turns& turns() const { return ended_.turns(); }
   /// The energy that impacts since it was made have taken, and drag from flights that are over.
   /// Terms of which it is the exact sum.
   [[nodiscard]] const std::vector<double>& losses() const { return book_.parts(); }
@@ -98,7 +104,7 @@ class EventLoop {
     return std::exchange(book_, EnergyBook{}).parts();
   }
   /// From a sample of the events, scaled to all.
-  [[nodiscard]] Costs costs() const;
+  [[nodiscard]] Costs costs() const { return costs_.total(); }
 
   /// Where contacts rest: who rests on this ball, or carries it, moves again.
   void wake_around(Index i, At now);
@@ -108,7 +114,7 @@ class EventLoop {
 
   /// From now on every impact is noted, with its time since the present epoch began and the places
   /// of its balls in this event loop; null: no longer.  The log must outlive it.
-  void note_in(ImpactLog* log) { log_ = log; }
+  void note_in(ImpactLog* log) { notes_.write_to(log); }
 
  private:
   /// Whether several pairs are looked at side by side.
@@ -117,7 +123,7 @@ class EventLoop {
   [[nodiscard]] const S* spin(Index i) const { return spins_.empty() ? nullptr : &spins_[i]; }
   using Entry = typename EventQueue<typename P::Clock>::Entry;
 
-  struct SimultaneousImpact;
+  using SimultaneousImpact = event::SimultaneousImpact<S>;
   struct FoundIsland;
 
   // The order of time: event_loop_body.hpp.
@@ -141,34 +147,7 @@ class EventLoop {
   void forget(Index i);
   void predict_again(Index i, At now);
   void end_flight(Index i, At now);
-  void count_turns(Index i, At now);
   void watch(At now);
-
-  // What --events tells: loop_log_body.hpp.
-  /// `was`, `partner_was`: the flights before the impact.
-  void log_alone(Index i, Index partner, const Disk& was, const Disk& partner_was, double lost,
-                 At now);
-  /// What is known of a joint impact beside its outcome.
-  struct JointLog {
-    std::vector<Stroke<S>> strokes;
-    std::vector<carom::FrictionChange> by_friction;  ///< by contact; empty: there is no friction
-    double held = 0;                                 ///< see JointReport
-  };
-  void log_joint(const SimultaneousImpact& group, const JointLog& joint, At now);
-  struct IslandLog {
-    std::vector<double> impulses;  ///< by contact
-    std::vector<char> counted;     ///< by contact: it is one of the impacts that are counted
-    double lost = 0;
-  };
-  void log_island(const FoundIsland& island, const IslandLog& log, At now);
-  /// The lines from `first` on tell together what was lost.
-  void log_loss(std::size_t first, double lost);
-  Impact& log_contact(At now, Index i, Index j, const Vec<S>& r);
-  /// Of a ball at rest that moves from now on.
-  void log_wake(Index i, At now);
-  void log_slides(Index i, At now);
-  /// What has slid by now goes into the log, where no impact of an instant is taken back any more.
-  void keep_slides();
 
   // What a ball meets next: loop_search_body.hpp, loop_lanes_body.hpp.
   void predict(Index i, At now);
@@ -193,47 +172,17 @@ class EventLoop {
 
   // Impacts of one instant that share a ball: which balls touch, loop_touching_body.hpp; what they
   // become, loop_simultaneous_body.hpp.
-  /// A ball as it was before the impacts of the present instant.
-  struct Past {
-    Index ball;
-    Disk disk;
-    S spin;
-    Index left;
-  };
-  /// What resolving one group of balls did, beside their flights; of an instant, in turn.
-  struct Resolution {
-    Counts counts;
-    std::size_t kept;  ///< by the book
-    std::size_t log;
-    Counts counts_after;
-    std::size_t kept_after;
-    std::size_t log_after;
-  };
   void begin_simultaneous();
-  /// What is remembered, counted, kept and noted until the next end belongs to one group.
-  void begin_resolution();
-  void end_resolution();
-  /// The number of the resolutions that share balls with that of a ball, which was hit.
-  [[nodiscard]] std::size_t set_of(Index i) {
-    return resolution_sets_.find(static_cast<std::uint32_t>(resolution_of_[i]));
-  }
-  /// Counts an impact of the ball at the present instant; gives how many there are by now.
-  int count_hit(Index i) {
-    if (hits_[i]++ == 0) hit_.push_back(i);
-    return hits_[i];
-  }
-  [[nodiscard]] bool is_past(Index i) const { return resolution_of_[i] >= 0; }
   void remember(Index i);
   /// Takes back what was resolved with these balls at the present instant; adds the balls to them.
   void take_back(std::vector<Index>& balls);
-  void take_back(const Resolution& resolution);
   /// Whether the ball, looked at only now, meets at this instant one that has been hit at it; then
   /// both wait to be resolved.
   [[nodiscard]] bool is_late(Index i, At now);
   [[nodiscard]] bool comes_nearer(Index i, Index partner, At now) const;
   void note_tie(At at, Index i, Index other) const {
-    ties_.insert({at, i});
-    if (other != i) ties_.insert({at, other});
+    ties_.note(at, i);
+    if (other != i) ties_.note(at, other);
   }
   /// When two balls meet, if that is by `now`.
   [[nodiscard]] Time pair_event(Index i, Index j, At now) const;
@@ -244,7 +193,6 @@ class EventLoop {
   void wait_for_all_that_are_met(At now);
   void resolve_waiting();
   [[nodiscard]] std::optional<bool> is_joint(Index i, Index partner, At now);
-  using Pair = std::pair<Index, Index>;  ///< a ball, and what it meets
   void resolve_together(std::vector<Pair> alone, const std::vector<Pair>& joint, At now);
   [[nodiscard]] std::vector<SimultaneousImpact> groups_of(std::vector<Index>& to_predict, At now);
   void resolve_alone(Index i, Index partner, At now);
@@ -257,17 +205,10 @@ class EventLoop {
   /// `to_predict`: the balls whose next impact is unknown.
   void resolve_group(SimultaneousImpact& group, const std::vector<Index>& to_predict, At now);
   void note_left(const SimultaneousImpact& group, At now);
-  [[nodiscard]] JointReport resolve(SimultaneousImpact& group,
-                                    JointLog* log) const;  // loop_friction_body.hpp
-  /// Gives the energy that friction takes.
-  double apply_friction_jointly(SimultaneousImpact& group, JointLog* log) const;
+  [[nodiscard]] JointReport resolve(SimultaneousImpact& group, JointRecord<S>* record) const;
   void add_member(SimultaneousImpact& group, Index i, At now) const;
   void add_contacts(SimultaneousImpact& group, std::size_t member, At now);
   void add_contact(SimultaneousImpact& group, std::size_t member, Index j, At now, bool meets);
-  [[nodiscard]] bool is_linked(Index i, Index j) const;
-  /// Whether this contact was one of those resolved together at this instant: to resolve them again
-  /// would change nothing.
-  [[nodiscard]] bool is_resolved(Index i, Index j) const;
   /// What is taken as jammed in vain loses what its contacts have of speed.
   [[nodiscard]] bool gives_up() const { return jam_watch_.level().gives_up(); }
   [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;
@@ -355,37 +296,25 @@ class EventLoop {
   Neighbours<P> neighbours_{motion_};
   EventQueue<typename P::Clock> queue_;
   Counts counts_;
-  Turns turns_;
   EnergyBook book_;
-  std::vector<Disk> counted_;  ///< the flights that `turns_` and losses have note of; empty: none
-  std::vector<S> counted_spins_;
-  Costs sampled_;                       ///< of the events that were timed
-  double island_seconds_ = 0;           ///< of all steps and impacts of islands
-  std::uint64_t samples_ = 0;           ///< events that were timed
-  std::uint32_t untimed_ = 0;           ///< events before the next one that is
+  ImpactNotes notes_;
+  ImpactWriter<P> writer_{motion_, disks_, notes_};
+  EndedFlights<P> ended_{motion_, book_};
+  EventCosts costs_;
   Time next_step_ = P::Clock::never();  ///< of islands
   Time stepped_ = 0;                    ///< when the last one was, or the balls were taken
   std::vector<int> number_;             ///< in the island that is looked at; -1
   std::vector<char> joins_;             ///< it is of an island that is hit now
-  ImpactLog* log_ = nullptr;            ///< null: impacts are not noted
-  std::vector<Impact> slid_;            ///< slides that ended at this instant, if impacts are noted
   double overlap_ = 0;                  ///< at the last impact of two
   Time reached_ = 0;                    ///< everything up to here has happened
   std::vector<Index>
       left_;  ///< the fixed ball a flight began at; only where balls fall on fixed disks
-  mutable std::set<std::pair<Time, Index>> ties_;  ///< when impacts may share a ball, and which
-  Time impact_time_ = 0;                           ///< of the last impact
-  std::vector<Past> past_;                         ///< the balls that were hit at that instant
-  std::vector<Resolution> resolutions_;            ///< of that instant
-  DisjointSets resolution_sets_;                   ///< those that share balls
-  std::vector<int> resolution_of_;                 ///< by ball; -1: it was not hit
-  std::vector<Pair> waiting_;                      ///< impacts at that instant still to come
-  std::vector<Pair> linked_;                       ///< what met at that instant, passed on or not
-  std::vector<Pair> resolved_;  ///< contacts of the joint impacts at that instant
-  std::vector<Pair> pressed_;   ///< what is to come to rest at that instant
+  Time impact_time_ = 0;     ///< of the last impact: the present instant
+  SimultaneousPairs pairs_;  ///< of that instant
+  Resolutions resolutions_{counts_, book_, notes_};
+  FlightsBefore<P> before_;
+  mutable Ties<typename P::Clock> ties_;
   std::vector<Index> changed_;  ///< balls whose next impact is to be looked for
-  std::vector<int> hits_;       ///< the same by ball
-  std::vector<Index> hit_;      ///< balls of which there are any
   JamWatch<typename P::Clock> jam_watch_;
 };
 

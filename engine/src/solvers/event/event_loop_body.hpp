@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "solvers/event/event_loop.hpp"
@@ -52,30 +51,13 @@ void EventLoop<P>::reset(const std::vector<Disk>& disks, At now, const std::vect
   jam_watch_.reset(now, std::max(population_, disks_.size()), motion_.elastic());
   next_step_ = P::Clock::never();
   stepped_ = now;
-  resolution_of_.assign(n, -1);
-  resolutions_.clear();
-  waiting_.clear();
+  resolutions_.reset(n);
+  before_.clear();
+  pairs_.reset(n);
   changed_.clear();
-  hits_.assign(n, 0);
-  hit_.clear();
-  past_.clear();
-  linked_.clear();
-  resolved_.clear();
-  pressed_.clear();
-  slid_.clear();
+  notes_.forget_slides();
   start_resting(now);
-  counted_.clear();
-  bool counts = motion_.loses_in_flight();
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    turns_[axis].clear();
-    if (!motion_.rules().falls_round(axis)) continue;
-    turns_[axis].resize(n, 0);
-    counts = true;
-  }
-  if (counts) {
-    counted_.assign(disks_.begin(), disks_.end());
-    counted_spins_ = spins_;
-  }
+  ended_.reset(disks_, spins_);
   reached_ = now;
   const Domain& domain = motion_.rules().domain;
   start_event_queue(now, (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]));
@@ -113,7 +95,7 @@ void EventLoop<P>::start_event_queue(At now, double area) {
 
 template <class P>
 void EventLoop<P>::take(const Entry& entry) {
-  if (untimed_-- == 0) {
+  if (costs_.is_timed()) {
     time_event(entry.ball, entry.time);
   } else {
     next_event(entry.ball, entry.time);
@@ -136,9 +118,9 @@ void EventLoop<P>::advance_to(At until) {
     const Time at = std::min(next_step_, Time(until));
     const Entry* next = first_event(at);
     const bool same = next != nullptr && next->time == impact_time_;
-    if (!same && !waiting_.empty()) {
+    if (!same && !pairs_.waiting().empty()) {
       resolve_waiting();
-    } else if (!same && !pressed_.empty()) {
+    } else if (!same && pairs_.any_pressed()) {
       settle_pressed();
     } else if (next != nullptr) {
       const Entry entry = *next;
@@ -153,7 +135,7 @@ void EventLoop<P>::advance_to(At until) {
     }
   }
   reached_ = until;
-  keep_slides();
+  notes_.keep_slides();
 }
 
 // Asks for the memory that the events of the next buckets will look at, in the order in which one
@@ -189,9 +171,7 @@ void EventLoop<P>::fetch(std::span<const Entry> entries, std::span<const Entry> 
 
 template <class P>
 void EventLoop<P>::rebase(At by) {
-  for (Disk& disk : counted_) {
-    if (disk.start != P::Clock::ever()) disk.start -= by;
-  }
+  ended_.rebase(by);
   for (Disk& disk : disks_) {
     if (disk.start != P::Clock::ever()) disk.start -= by;
     if (disk.meets != P::Clock::never()) disk.meets -= by;
@@ -203,15 +183,8 @@ void EventLoop<P>::rebase(At by) {
   stepped_ = stepped_ >= by ? Time(stepped_ - by) : Time(-1);
   jam_watch_.rebase(by);
   impact_time_ = impact_time_ >= by ? Time(impact_time_ - by) : Time(-1);
-  for (Past& past : past_) {
-    const Time oldest = P::Clock::ever() + by;
-    past.disk.start = past.disk.start > oldest ? Time(past.disk.start - by) : P::Clock::ever();
-  }
-  std::set<std::pair<Time, Index>> ties;
-  for (auto at = ties_.lower_bound({by, 0}); at != ties_.end(); ++at) {
-    ties.insert({at->first - by, at->second});
-  }
-  ties_ = std::move(ties);
+  before_.rebase(by);
+  ties_.rebase(by);
   queue_.rebase(by);
 }
 

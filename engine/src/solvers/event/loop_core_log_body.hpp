@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "solvers/event/contact_line.hpp"
 #include "solvers/event/loop_core.hpp"
 
 namespace carom::event {
@@ -33,7 +34,7 @@ void LoopCore<P>::tell_slides(std::size_t ball, std::vector<Impact>& impacts) co
   const double seconds = static_cast<double>(scale_.seconds(now_.ticks)) + epoch;
   for (const auto& slide : slides) {
     const Vec<double> at = in_double(motion().wrapped(motion().place(disk, now_.ticks)));
-    impacts.push_back(impact_of<P>(slide, at, ball, seconds, balls_[ball].radius));
+    impacts.push_back(slide_line<P>(slide, at, ball, seconds, balls_[ball].radius));
   }
 }
 
@@ -41,7 +42,7 @@ template <class P>
 void LoopCore<P>::tell_wake(std::size_t ball, const Disk& disk) {
   const double epoch = static_cast<double>(scale_.seconds(P::Clock::epoch())) * now_.epoch;
   const double seconds = static_cast<double>(scale_.seconds(now_.ticks)) + epoch;
-  noted_.push_back(wake_of(in_double(motion().place(disk, now_.ticks)), ball, seconds));
+  noted_.push_back(wake_line(in_double(motion().place(disk, now_.ticks)), ball, seconds));
 }
 
 // From the numbers and times of the event loop to those of the run.

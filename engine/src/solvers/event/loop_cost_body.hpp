@@ -3,26 +3,25 @@
 #include <algorithm>
 
 #include "solvers/event/event_loop.hpp"
+#include "solvers/event/sampled_costs.hpp"
 
 namespace carom::event {
 
 // The event is timed as a whole, what is not the pairs' in it apart.
 template <class P>
 [[gnu::noinline]] void EventLoop<P>::time_event(Index i, At now) {
-  untimed_ = kEventsOfSample - 1;
-  ++samples_;
   TimedEvent<P> event;
   event.before = disks_[i];
   event.partner = event.before.meets <= event.before.leaves ? event.before.partner : kUnknown;
   const bool at_ball = event.partner < kFirstMark;
   event.other_before = at_ball ? disks_[event.partner] : event.before;
 
-  const double islands = island_seconds_;
+  const double islands = costs_.island_seconds();
   double whole = seconds_of([&] {
     next_event(i, now);
-    if (!waiting_.empty() && first_event(now) == nullptr) resolve_waiting();
+    if (!pairs_.waiting().empty() && first_event(now) == nullptr) resolve_waiting();
   });
-  whole -= island_seconds_ - islands;
+  whole -= costs_.island_seconds() - islands;
 
   event.after = disks_[i];
   event.until = std::min(event.after.meets, event.after.leaves);
@@ -35,20 +34,7 @@ template <class P>
   if (motion_.rules().collisions) {
     costs.collisions = std::max(0.0, whole - costs.beside_pairs());
   }
-  sampled_ += costs;
-}
-
-template <class P>
-Costs EventLoop<P>::costs() const {
-  Costs costs;
-  if (samples_ > 0) {
-    const auto samples = static_cast<double>(samples_);
-    const double scale = (samples * kEventsOfSample - untimed_) / samples;
-    costs = {sampled_.collisions * scale, sampled_.walls * scale, sampled_.friction * scale,
-             sampled_.bending * scale};
-  }
-  costs.collisions += island_seconds_;
-  return costs;
+  costs_.add(costs);
 }
 
 }  // namespace carom::event

@@ -16,38 +16,13 @@ void EventLoop<P>::watch(At now) {
   }
   if (!jam_watch_.note_impact()) return;
   // What was resolved without all that is so near is to be resolved with it.
-  resolved_.clear();
-  linked_.clear();
-  for (const Index i : hit_) hits_[i] = 0;
-  hit_.clear();
+  pairs_.forget_resolved();
 }
 
-// What drag takes follows from the flight alone.
 template <class P>
 void EventLoop<P>::end_flight(Index i, At now) {
-  if (motion_.loses_in_flight()) {
-    const S* was = counted_spins_.empty() ? nullptr : &counted_spins_[i];
-    book_.add_drag(motion_.flight_loss(counted_[i], was, now));
-    // An impact that did nothing leaves it on the flight it was on.
-    if (disks_[i].start != now) book_.add_drag(-motion_.flight_loss(disks_[i], spin(i), now));
-    if (log_ != nullptr) log_slides(i, now);
-  }
-  count_turns(i, now);
-  counted_[i] = disks_[i];
-  if (!counted_spins_.empty()) counted_spins_[i] = spins_[i];
-}
-
-template <class P>
-void EventLoop<P>::count_turns(Index i, At now) {
-  if (turns_[0].empty() && turns_[1].empty()) return;
-  const Vec<S> came = motion_.place(counted_[i], now);
-  const auto count = [&](std::size_t axis, const S& from, const S& to) {
-    if (turns_[axis].empty()) return;
-    const S period = motion_.periods()[axis];
-    turns_[axis][i] += std::llrint(static_cast<double>(S((from - to) / period)));
-  };
-  count(0, came.x, disks_[i].x);
-  count(1, came.y, disks_[i].y);
+  if (motion_.loses_in_flight()) writer_.slides(i, ended_.flight(i), ended_.spin(i), now);
+  ended_.end(i, disks_[i], spin(i), now);
 }
 
 template <class P>
@@ -60,7 +35,7 @@ void EventLoop<P>::predict_changed(At now) {
 template <class P>
 void EventLoop<P>::predict_again(Index i, At now) {
   if (motion_.fixed(disks_[i])) return;
-  if (!counted_.empty()) end_flight(i, now);
+  if (ended_.any()) end_flight(i, now);
   if (paths_ != nullptr) {
     paths_->note(i, {disks_[i], left(i), spins_.empty() ? S(0) : spins_[i]});
   }
@@ -104,7 +79,7 @@ void EventLoop<P>::meet_alone(Index i, Index partner, At now) {
 template <class P>
 void EventLoop<P>::settle_pressed() {
   const auto now = impact_time_;
-  std::vector<Pair> left = std::exchange(pressed_, {});
+  std::vector<Pair> left = pairs_.take_pressed();
   std::vector<std::vector<Index>> islands;
   std::vector<std::vector<Pair>> others;
   while (!left.empty()) {
@@ -132,14 +107,14 @@ void EventLoop<P>::settle_pressed() {
   }
   hit_islands(std::move(islands), now);
   for (const auto& group : others) {
-    begin_resolution();
+    resolutions_.begin();
     for (const auto& [i, partner] : group) {
       remember(i);
       if (moves(partner)) remember(partner);
       meet_alone(i, partner, now);
       book_.keep();
     }
-    end_resolution();
+    resolutions_.end();
     for (const auto& [i, partner] : group) {
       if (moves(partner)) changed_.push_back(partner);
       changed_.push_back(i);
@@ -169,7 +144,7 @@ void EventLoop<P>::meet(Index i, At now) {
   const Index partner = disks_[i].partner;
   if (partner == kUnknown) {
     ++counts_.stale;
-    if (now == impact_time_ && !past_.empty() && is_late(i, now)) return;
+    if (now == impact_time_ && resolutions_.any() && is_late(i, now)) return;
     forget(i);
     predict(i, now);
     schedule(i);
@@ -188,7 +163,7 @@ void EventLoop<P>::meet(Index i, At now) {
   }
   watch(now);
   if (moves(partner)) forget(partner);
-  waiting_.emplace_back(i, partner);
+  pairs_.wait(i, partner);
 }
 
 template <class P>

@@ -29,7 +29,7 @@ bool EventLoop<P>::is_hit_of_island(Index i, Index partner, At now) const {
 template <class P>
 void EventLoop<P>::hit_islands(std::vector<std::vector<Index>> hits, At now) {
   if (hits.empty()) return;
-  const Stopwatch stopwatch(true, island_seconds_);
+  const Stopwatch stopwatch(true, costs_.island_seconds());
   const auto gathered = [&](const std::vector<Index>& members) {
     FoundIsland island;
     for (const Index m : members) {
@@ -68,9 +68,9 @@ void EventLoop<P>::hit_islands(std::vector<std::vector<Index>> hits, At now) {
   }
   mark(0);
   for (FoundIsland& island : islands) {
-    begin_resolution();
+    resolutions_.begin();
     hit_island(island, now);
-    end_resolution();
+    resolutions_.end();
   }
 }
 
@@ -226,7 +226,7 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
     const int b = island.contacts[k].b;
     const Index other =
         b == kWall ? island.near[k].partner : island.members[static_cast<std::size_t>(b)];
-    resolved_.push_back({island.members[static_cast<std::size_t>(island.contacts[k].a)], other});
+    pairs_.note_resolved(island.members[static_cast<std::size_t>(island.contacts[k].a)], other);
   }
   schedule_step(now);
   double span = 0;  // until the next step; 0: for ever
@@ -245,7 +245,7 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
                                          kSolved * kSolved * hits.fastest) *
                                     kSolved
                               : kSolved * hits.fastest;
-  IslandLog log;
+  IslandCarried log;
   const Vec<double> g = in_double(motion_.law().pull());
   if (elastic) {
     reflect_island(island, hits);
@@ -258,7 +258,7 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
   for (std::size_t m = 0; m < island.members.size(); ++m) {
     unsigned& support = island.support[m];
     rested = rested || support == kResting;
-    if (support == kResting && log_ != nullptr) log_wake(island.members[m], now);
+    if (support == kResting && notes_.wanted()) writer_.wake(island.members[m], now);
     const bool of_it = (support >= kResting && (!elastic || gives_up())) || hits.stays[m] != 0;
     if (of_it && support != kStepped) {
       // It has not been given what gravity makes till the next step.
@@ -282,16 +282,16 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
   }
   const double lost = loss_of(island, had, span);
   if (!(hits.held > 0)) note_held(island, lost);
-  const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;
-  if (log_ != nullptr) {
+  const std::size_t first_line = notes_.lines();
+  if (notes_.wanted()) {
     log.counted = hits.counted;
     log.impulses = loads;
     log.lost = lost;
-    log_island(island, log, now);
+    writer_.island(island, log, now);
   }
 
   book_.correct(lost);
-  log_loss(first_line, fly_on(island, now));
+  notes_.tell_loss(first_line, fly_on(island, now));
 }
 
 template <class P>

@@ -13,13 +13,13 @@ namespace carom::event {
 
 template <class P>
 void EventLoop<P>::step_islands(At now) {
-  const Stopwatch stopwatch(true, island_seconds_);
+  const Stopwatch stopwatch(true, costs_.island_seconds());
   std::vector<Index> all;
   for (Index i = 0; i < disks_.size(); ++i) {
     if (!motion_.fixed(disks_[i]) && motion_.support(disks_[i]) >= kStepped) all.push_back(i);
   }
   std::vector<char> stepped(disks_.size(), 0);
-  begin_resolution();
+  resolutions_.begin();
   for (const Index i : all) {
     if (stepped[i] != 0) continue;
     FoundIsland island;
@@ -223,16 +223,16 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
   if (keep_energy(island, had, span)) keep_gaps(island, had, span, goal, loads);
   const double lost = loss_of(island, had, span);
   note_held(island, lost);
-  const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;
-  if (log_ != nullptr) {
-    IslandLog log;
+  const std::size_t first_line = notes_.lines();
+  if (notes_.wanted()) {
+    IslandCarried log;
     log.counted.resize(loads.size(), 0);
     log.impulses = loads;
     log.lost = lost;
-    log_island(island, log, now);
+    writer_.island(island, log, now);
   }
   book_.correct(lost);
-  log_loss(first_line, fly_on(island, now));
+  notes_.tell_loss(first_line, fly_on(island, now));
 }
 
 }  // namespace carom::event

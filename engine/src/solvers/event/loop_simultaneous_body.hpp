@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "contact/joint_impact.hpp"
+#include "contact/joint_friction.hpp"
 #include "contact/rest_rules.hpp"
 #include "solvers/event/loop_island_search_body.hpp"
 #include "solvers/event/loop_touching_body.hpp"
@@ -21,24 +22,24 @@ void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<P
   // Of all of them it is not known any more what they meet next.
   std::vector<Index> to_predict;
   for (const Pair& pair : joint) {
-    if (!is_linked(pair.first, pair.second)) linked_.push_back(pair);
+    pairs_.link(pair);
     for (const Index k : {pair.first, pair.second}) {
       if (moves(k) && std::find(to_predict.begin(), to_predict.end(), k) == to_predict.end()) {
         to_predict.push_back(k);
       }
     }
   }
-  const std::size_t links = linked_.size();
-  linked_.insert(linked_.end(), alone.begin(), alone.end());
+  const std::size_t links = pairs_.linked().size();
+  for (const Pair& pair : alone) pairs_.link(pair);
   std::vector<SimultaneousImpact> groups = groups_of(to_predict, now);
-  linked_.resize(links);
+  pairs_.drop_links(links);
   std::erase_if(alone, [&](const Pair& pair) {
     const bool found =
         std::any_of(groups.begin(), groups.end(), [&](const SimultaneousImpact& group) {
           return group.find(pair.first) < group.members.size();
         });
     if (!found) return false;
-    linked_.push_back(pair);
+    pairs_.link(pair);
     for (const Index k : {pair.first, pair.second}) {
       if (moves(k)) to_predict.push_back(k);
     }
@@ -67,11 +68,12 @@ void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<P
   hit_islands(std::move(islands), now);
   // What an island has taken with it has other velocities now: its contacts are looked for again.
   const auto is_taken = [&](std::vector<Index> balls) {
-    if (std::none_of(balls.begin(), balls.end(), [&](Index m) { return moves(m) && is_past(m); })) {
+    if (std::none_of(balls.begin(), balls.end(),
+                     [&](Index m) { return moves(m) && resolutions_.contains(m); })) {
       return false;
     }
     for (const Index m : balls) {
-      if (!moves(m) || is_past(m)) continue;
+      if (!moves(m) || resolutions_.contains(m)) continue;
       unlink(m);
       forget(m);
       changed_.push_back(m);
@@ -81,9 +83,9 @@ void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<P
   std::erase_if(others, [&](const SimultaneousImpact& group) { return is_taken(group.members); });
   std::erase_if(alone, [&](const Pair& pair) { return is_taken({pair.first, pair.second}); });
   for (SimultaneousImpact& group : others) {
-    begin_resolution();
+    resolutions_.begin();
     resolve_group(group, to_predict, now);
-    end_resolution();
+    resolutions_.end();
   }
   for (const auto& [i, partner] : alone) resolve_alone(i, partner, now);
 }
@@ -100,18 +102,18 @@ void EventLoop<P>::meet_and_note(Index i, Index partner, At now) {
   }
   meet_alone(i, partner, now);
   const double lost = book_.keep();
-  if (log_ != nullptr) log_alone(i, partner, was, partner_was, lost, now);
+  if (notes_.wanted()) writer_.single(i, partner, was, partner_was, lost, now);
   if (ball) changed_.push_back(partner);
   changed_.push_back(i);
 }
 
 template <class P>
 void EventLoop<P>::resolve_alone(Index i, Index partner, At now) {
-  begin_resolution();
+  resolutions_.begin();
   remember(i);
   if (moves(partner)) remember(partner);
   meet_and_note(i, partner, now);
-  end_resolution();
+  resolutions_.end();
 }
 
 // Whether an impact is to be resolved with all that touches; nothing, where it waits for the
@@ -120,9 +122,10 @@ void EventLoop<P>::resolve_alone(Index i, Index partner, At now) {
 template <class P>
 std::optional<bool> EventLoop<P>::is_joint(Index i, Index partner, At now) {
   const bool ball = moves(partner);
-  const bool again = is_past(i) || (ball && is_past(partner));
-  const int hits = std::max(hits_[i], ball ? hits_[partner] : 0);
-  if (again && (is_resolved(i, partner) || hits > kManyAtOnce || !comes_nearer(i, partner, now))) {
+  const bool again = resolutions_.contains(i) || (ball && resolutions_.contains(partner));
+  const int hits = std::max(pairs_.hits(i), ball ? pairs_.hits(partner) : 0);
+  if (again &&
+      (pairs_.is_resolved(i, partner) || hits > kManyAtOnce || !comes_nearer(i, partner, now))) {
     return std::nullopt;
   }
   return again || jam_watch_.level().jammed() || tied(i, partner, now) ||
@@ -133,14 +136,16 @@ std::optional<bool> EventLoop<P>::is_joint(Index i, Index partner, At now) {
 // only one: to be linked whichever that is, all of them wait.
 template <class P>
 void EventLoop<P>::wait_for_all_that_are_met(At now) {
-  const std::size_t known = waiting_.size();
+  const std::size_t known = pairs_.waiting().size();
   const auto add = [&](Index i, Index j) {
-    if (has_pair(waiting_, i, j) || is_resolved(i, j) || !comes_nearer(i, j, now)) return;
-    waiting_.emplace_back(i, j);
+    if (has_pair(pairs_.waiting(), i, j) || pairs_.is_resolved(i, j) || !comes_nearer(i, j, now))
+      return;
+    pairs_.wait(i, j);
   };
   for (std::size_t k = 0; k < known; ++k) {
-    for (const Index i : {waiting_[k].first, waiting_[k].second}) {
-      if (!moves(i) || !is_past(i)) continue;
+    const Pair pair = pairs_.waiting()[k];
+    for (const Index i : {pair.first, pair.second}) {
+      if (!moves(i) || !resolutions_.contains(i)) continue;
       const Disk& disk = disks_[i];
       for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
         if (!motion_.rules().domain.solid((wall - kWalls) / 2)) continue;
@@ -157,16 +162,16 @@ void EventLoop<P>::wait_for_all_that_are_met(At now) {
 template <class P>
 void EventLoop<P>::resolve_waiting() {
   const auto now = impact_time_;
-  if (!past_.empty()) wait_for_all_that_are_met(now);
-  for (const auto& [i, partner] : waiting_) {
-    count_hit(i);
-    if (moves(partner)) count_hit(partner);
+  if (resolutions_.any()) wait_for_all_that_are_met(now);
+  for (const auto& [i, partner] : pairs_.waiting()) {
+    pairs_.count_hit(i);
+    if (moves(partner)) pairs_.count_hit(partner);
   }
-  if (waiting_.size() == 1) {
-    const auto [i, partner] = waiting_.front();
+  if (pairs_.waiting().size() == 1) {
+    const auto [i, partner] = pairs_.waiting().front();
     const std::optional<bool> joint = is_joint(i, partner, now);
     if (joint && !*joint && !(motion_.contacts_last() && is_hit_of_island(i, partner, now))) {
-      waiting_.clear();
+      pairs_.drop_waiting();
       resolve_alone(i, partner, now);
       predict_changed(now);
       return;
@@ -175,10 +180,10 @@ void EventLoop<P>::resolve_waiting() {
   std::vector<Pair> alone;
   std::vector<Pair> joint;
   std::vector<Index> balls;
-  for (const Pair& pair : std::exchange(waiting_, {})) {
+  for (const Pair& pair : pairs_.take_waiting()) {
     const std::optional<bool> together = is_joint(pair.first, pair.second, now);
     if (!together) {
-      pressed_.push_back(pair);
+      pairs_.press(pair);
       continue;
     }
     (*together ? joint : alone).push_back(pair);
@@ -219,6 +224,17 @@ void EventLoop<P>::note_left(const SimultaneousImpact& group, At now) {
 }
 
 template <class P>
+JointReport EventLoop<P>::resolve(SimultaneousImpact& group, JointRecord<S>* record) const {
+  const std::span<const Contact<S>> contacts = group.contacts;
+  if (spins_.empty()) return resolve_jointly<S>(group.bodies, contacts, nullptr, record);
+  std::vector<S> radii;
+  for (const Index m : group.members) radii.push_back(motion_.species(disks_[m]).radius);
+  JointFriction<S> friction(group.bodies, group.spins, radii, contacts,
+                            {motion_.rules().friction, motion_.rules().wall_friction});
+  return resolve_jointly<S>(group.bodies, contacts, &friction, record);
+}
+
+template <class P>
 void EventLoop<P>::resolve_group(SimultaneousImpact& group, const std::vector<Index>& to_predict,
                                  At now) {
   for (const Index m : group.members) remember(m);
@@ -232,19 +248,15 @@ void EventLoop<P>::resolve_group(SimultaneousImpact& group, const std::vector<In
     return;
   }
 
-  std::size_t stops = 0;
-  for (const Contact<S>& contact : group.contacts) {
-    const Index other = contact.b == kWall ? group.stops[stops++].wall
-                                           : group.members[static_cast<std::size_t>(contact.b)];
-    resolved_.push_back({group.members[static_cast<std::size_t>(contact.a)], other});
-  }
+  group.each_contact(
+      [this](const Contact<S>&, Index i, Index partner) { pairs_.note_resolved(i, partner); });
   const std::vector<Body<S>> before = group.bodies;
   const std::vector<S> spins_before = group.spins;
   ++counts_.joint_impacts;
-  JointLog joint;
-  const JointReport report = resolve(group, log_ != nullptr ? &joint : nullptr);
-  const std::size_t first_line = log_ != nullptr ? log_->impacts.size() : 0;
-  if (log_ != nullptr) log_joint(group, joint, now);
+  JointRecord<S> record;
+  const JointReport report = resolve(group, notes_.wanted() ? &record : nullptr);
+  const std::size_t first_line = notes_.lines();
+  if (notes_.wanted()) writer_.joint(group, record, now);
   const auto walls = static_cast<std::uint64_t>(report.walls);
   const auto balls = static_cast<std::uint64_t>(report.impacts);
   counts_.ball_wall += walls;
@@ -284,7 +296,7 @@ void EventLoop<P>::resolve_group(SimultaneousImpact& group, const std::vector<In
   if (!left_.empty()) note_left(group, now);
   for (const Index m : changed) update_support(m);
   lost += book_.keep();
-  log_loss(first_line, lost);
+  notes_.tell_loss(first_line, lost);
   if (motion_.clusters()) {
     for (const Contact<S>& contact : group.contacts) {
       if (contact.b == kWall || contact.restitution == 1) continue;

@@ -6,37 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "contact/joint_impact.hpp"
 #include "contact/rest_rules.hpp"
 #include "solvers/event/loop_island_search_body.hpp"
 
 namespace carom::event {
 
-/// The balls that touch at one instant, and all their contacts.
-template <class P>
-struct EventLoop<P>::SimultaneousImpact {
-  std::vector<Index> members;  ///< balls and fixed balls; the first is the one it began with
-  std::vector<Vec<S>> places;
-  std::vector<Body<S>> bodies;
-  std::vector<S> spins;  ///< only where balls have friction
-  std::vector<Contact<S>> contacts;
-  struct Stop {
-    std::size_t member;
-    Index wall;
-    bool meets;  ///< it is at the wall: not only so near that it is taken as jammed
-  };
-  std::vector<Stop> stops;  ///< the contacts with walls
-
-  [[nodiscard]] std::size_t find(Index i) const {
-    return static_cast<std::size_t>(std::find(members.begin(), members.end(), i) - members.begin());
-  }
-};
-
 template <class P>
 bool EventLoop<P>::tied(Index i, Index partner, At now) {
-  if (ties_.empty()) return false;
-  ties_.erase(ties_.begin(), ties_.lower_bound({now, 0}));
-  if (ties_.count({now, i}) == 0 && ties_.count({now, partner}) == 0) return false;
+  if (!ties_.any(now, i, partner)) return false;
   // A tie may be of what was known of a ball before: whether it was noted depends on what was
   // looked at when.
   const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
@@ -93,34 +70,18 @@ void EventLoop<P>::add_member(SimultaneousImpact& group, Index i, At now) const 
 
 template <class P>
 bool EventLoop<P>::is_late(Index i, At now) {
-  if (motion_.fixed(disks_[i]) || is_past(i)) return false;
+  if (motion_.fixed(disks_[i]) || resolutions_.contains(i)) return false;
   const Disk& me = disks_[i];
-  for (const Past& past : past_) {
-    const Disk& other = past.disk;
+  for (const typename FlightsBefore<P>::Before& before : before_.all()) {
+    const Disk& other = before.disk;
     const bool meets =
         motion_.pair_event(me, other, false, now) <= now && motion_.rules().collisions;
     if (!meets) continue;
     forget(i);
-    waiting_.push_back({i, past.ball});
+    pairs_.wait(i, before.ball);
     return true;
   }
   return false;
-}
-
-inline bool has_pair(const std::vector<std::pair<Index, Index>>& pairs, Index i, Index j) {
-  return std::any_of(pairs.begin(), pairs.end(), [&](const std::pair<Index, Index>& pair) {
-    return (pair.first == i && pair.second == j) || (pair.first == j && pair.second == i);
-  });
-}
-
-template <class P>
-bool EventLoop<P>::is_linked(Index i, Index j) const {
-  return has_pair(linked_, i, j);
-}
-
-template <class P>
-bool EventLoop<P>::is_resolved(Index i, Index j) const {
-  return has_pair(linked_, i, j) || has_pair(resolved_, i, j);
 }
 
 template <class P>
@@ -154,7 +115,8 @@ void EventLoop<P>::add_contacts(SimultaneousImpact& group, std::size_t member, A
     if (!rules.domain.solid((wall - kWalls) / 2)) continue;
     const S gap = motion_.wall(disk, group.places[member], wall).gap;
     const bool near = jam.jammed() && !(gap > 2 * motion_.species(disk).radius * jam.gap());
-    const bool meets = !(gap > 0) || motion_.wall_event(disk, wall) == now || is_linked(i, wall);
+    const bool meets =
+        !(gap > 0) || motion_.wall_event(disk, wall) == now || pairs_.is_linked(i, wall);
     if (!meets && !near) continue;
     const S side = wall % 2 == kWalls % 2 ? -1 : 1;
     const Vec<S> towards = wall - kWalls < 2 ? Vec<S>{side, S(0)} : Vec<S>{S(0), side};
@@ -164,7 +126,7 @@ void EventLoop<P>::add_contacts(SimultaneousImpact& group, std::size_t member, A
   }
   if (!rules.collisions) return;
   std::vector<Index> linked;
-  for (const auto& [a, b] : linked_) {
+  for (const auto& [a, b] : pairs_.linked()) {
     if (a != i && b != i) continue;
     const Index j = a == i ? b : a;
     if (j < kFirstMark) linked.push_back(j);
@@ -220,7 +182,7 @@ auto EventLoop<P>::groups_of(std::vector<Index>& to_predict, At now)
       groups.push_back(touching(seeds, now));
       const std::vector<Index>& members = groups.back().members;
       std::copy_if(members.begin(), members.end(), std::back_inserter(past),
-                   [this](Index m) { return is_past(m); });
+                   [this](Index m) { return resolutions_.contains(m); });
     }
     if (past.empty()) return groups;
     take_back(past);

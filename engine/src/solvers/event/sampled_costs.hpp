@@ -3,31 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "solvers/event/event_costs.hpp"
 #include "solvers/event/motion.hpp"
 #include "state/stopwatch.hpp"
 
 namespace carom::event {
-
-/// Wall-clock seconds of what effects do.
-struct Costs {
-  double collisions = 0;  ///< pairs: who meets next, impacts between balls, islands
-  double walls = 0;       ///< when a ball meets a wall, and impacts there
-  double friction = 0;    ///< of single impacts
-  double bending = 0;     ///< of flights, to their impacts, by gravity and drag
-
-  Costs& operator+=(const Costs& other) {
-    collisions += other.collisions;
-    walls += other.walls;
-    friction += other.friction;
-    bending += other.bending;
-    return *this;
-  }
-  /// Of all but pairs.
-  [[nodiscard]] double beside_pairs() const { return walls + friction + bending; }
-};
-
-/// One event in so many is timed: reading the clock in all would cost more than they.
-inline constexpr std::uint32_t kEventsOfSample = 127;
 
 /// What happens between two readings of the clock that have nothing between them is theirs.
 template <class Work>

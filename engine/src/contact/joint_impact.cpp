@@ -1,0 +1,7 @@
+#include "contact/joint_impact.hpp"
+
+namespace carom::event {
+
+template class JointImpact<double>;
+
+}  // namespace carom::event
