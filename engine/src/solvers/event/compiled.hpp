@@ -7,6 +7,7 @@
 #include "solvers/event/loop_core_book_body.hpp"
 #include "solvers/event/loop_core_change_body.hpp"
 #include "solvers/event/loop_core_log_body.hpp"
+#include "solvers/event/loop_core_start_body.hpp"
 #include "solvers/event/loop_core_state_body.hpp"
 #include "solvers/event/loop_cost_body.hpp"
 #include "solvers/event/loop_impact_body.hpp"
@@ -15,16 +16,16 @@
 #include "solvers/event/loop_island_hit_body.hpp"
 #include "solvers/event/loop_island_search_body.hpp"
 #include "solvers/event/loop_island_step_body.hpp"
-#include "solvers/event/loop_lanes_body.hpp"
 #include "solvers/event/loop_rest_body.hpp"
-#include "solvers/event/loop_search_body.hpp"
 #include "solvers/event/loop_simultaneous_body.hpp"
 #include "solvers/event/loop_touching_body.hpp"
 #include "solvers/event/loop_undo_body.hpp"
 #include "solvers/event/motion_body.hpp"
+#include "solvers/event/motion_impact_body.hpp"
 #include "solvers/event/motion_rest_body.hpp"
 #include "solvers/event/motion_roll_body.hpp"
 #include "solvers/event/neighbours_body.hpp"
+#include "solvers/event/prediction_body.hpp"
 
 /// The whole method compiled for one Physics: a source file for each.
 #define CAROM_COMPILE_EVENT(PHYSICS)                    \

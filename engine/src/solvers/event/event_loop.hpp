@@ -20,7 +20,7 @@
 #include "solvers/event/ended_flights.hpp"
 #include "solvers/event/energy_book.hpp"
 #include "solvers/event/event_costs.hpp"
-#include "solvers/event/event_queue.hpp"
+#include "solvers/event/event_schedule.hpp"
 #include "solvers/event/flights_before.hpp"
 #include "solvers/event/groups/path.hpp"
 #include "solvers/event/huge_pages.hpp"
@@ -29,6 +29,7 @@
 #include "solvers/event/jam_watch.hpp"
 #include "solvers/event/motion.hpp"
 #include "solvers/event/neighbours.hpp"
+#include "solvers/event/prediction.hpp"
 #include "solvers/event/resolutions.hpp"
 #include "solvers/event/simultaneous_impact.hpp"
 #include "solvers/event/simultaneous_pairs.hpp"
@@ -117,19 +118,15 @@ class EventLoop {
   void note_in(ImpactLog* log) { notes_.write_to(log); }
 
  private:
-  /// Whether several pairs are looked at side by side.
-  static constexpr bool kInLanes = kIsDouble<S>;
   [[nodiscard]] S* spin(Index i) { return spins_.empty() ? nullptr : &spins_[i]; }
   [[nodiscard]] const S* spin(Index i) const { return spins_.empty() ? nullptr : &spins_[i]; }
-  using Entry = typename EventQueue<typename P::Clock>::Entry;
+  using Entry = typename EventSchedule<P>::Entry;
 
   using SimultaneousImpact = event::SimultaneousImpact<S>;
   struct FoundIsland;
 
   // The order of time: event_loop_body.hpp.
   void next_event(Index i, At now);
-  void schedule(Index i) { queue_.add(disks_[i].due(), i); }
-  void start_event_queue(At now, double area);
   void take(const Entry& entry);
   [[nodiscard]] const Entry* first_event(At until);
   void fetch(std::span<const Entry> entries, std::span<const Entry> next,
@@ -144,31 +141,10 @@ class EventLoop {
     return partner < kFirstMark && !motion_.fixed(disks_[partner]);
   }
   void meet_alone(Index i, Index partner, At now);
-  void forget(Index i);
+  void predict(Index i, At now);
   void predict_again(Index i, At now);
   void end_flight(Index i, At now);
   void watch(At now);
-
-  // What a ball meets next: loop_search_body.hpp, loop_lanes_body.hpp.
-  void predict(Index i, At now);
-  /// What of `others` the ball meets before `best`.
-  void predict_pairs(Index i, const Index* others, std::uint32_t count, At now,
-                     Meeting<P>& best) const;
-  /// Where some of them, or the ball itself, may be fixed or supported.
-  void predict_mixed(Index i, const Index* others, std::uint32_t count, At now,
-                     Meeting<P>& best) const;
-  void predict_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
-                        Meeting<P>& best) const requires kInLanes;
-  template <class Law>
-  void predict_in_lanes_by(const Law& law, Index i, const Index* others, std::uint32_t count,
-                           At now, Meeting<P>& best) const requires kInLanes;
-  /// The first time that is no more of its flight, as far as that is known.
-  [[nodiscard]] Time beyond_flight(const Disk& disk) const;
-  void predict_pair(Index i, Index other, At now, Meeting<P>& best) const;
-  void predict_fixed_disk(Index i, Index fixed_disk, Meeting<P>& best) const;
-  void predict_alone(Index i, Meeting<P>& best) const;
-  void link(Index i, const Meeting<P>& best);
-  void unlink(Index i);
 
   // Impacts of one instant that share a ball: which balls touch, loop_touching_body.hpp; what they
   // become, loop_simultaneous_body.hpp.
@@ -180,12 +156,6 @@ class EventLoop {
   /// both wait to be resolved.
   [[nodiscard]] bool is_late(Index i, At now);
   [[nodiscard]] bool comes_nearer(Index i, Index partner, At now) const;
-  void note_tie(At at, Index i, Index other) const {
-    ties_.note(at, i);
-    if (other != i) ties_.note(at, other);
-  }
-  /// When two balls meet, if that is by `now`.
-  [[nodiscard]] Time pair_event(Index i, Index j, At now) const;
   [[nodiscard]] bool tied(Index i, Index partner, At now);
   [[nodiscard]] bool meets_another(Index i, Index partner, At now) const;
   /// What meets at the present instant, as far as it is known: all of it at once, so that no order
@@ -294,7 +264,7 @@ class EventLoop {
   HugeVector<Disk> disks_;
   std::vector<S> spins_;
   Neighbours<P> neighbours_{motion_};
-  EventQueue<typename P::Clock> queue_;
+  EventSchedule<P> schedule_{motion_, disks_};
   Counts counts_;
   EnergyBook book_;
   ImpactNotes notes_;
@@ -313,7 +283,8 @@ class EventLoop {
   SimultaneousPairs pairs_;  ///< of that instant
   Resolutions resolutions_{counts_, book_, notes_};
   FlightsBefore<P> before_;
-  mutable Ties<typename P::Clock> ties_;
+  Ties<typename P::Clock> ties_;
+  Prediction<P> prediction_{motion_, {disks_, spins_, left_, next_step_}, neighbours_, ties_};
   std::vector<Index> changed_;  ///< balls whose next impact is to be looked for
   JamWatch<typename P::Clock> jam_watch_;
 };

@@ -8,10 +8,6 @@
 
 namespace carom::event {
 
-// Entries that a bucket of the event queue should hold: enough to fetch what they need ahead of
-// time.
-inline constexpr double kPerBucket = 64;
-
 template <class P>
 EventLoop<P>::EventLoop(BasicRules<S> rules)
     : shared_motion_(std::make_shared<const Motion<P>>(std::move(rules))) {}
@@ -60,37 +56,13 @@ void EventLoop<P>::reset(const std::vector<Disk>& disks, At now, const std::vect
   ended_.reset(disks_, spins_);
   reached_ = now;
   const Domain& domain = motion_.rules().domain;
-  start_event_queue(now, (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]));
+  schedule_.reset(now, (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]));
   if (motion_.rules().collisions) {
     neighbours_.reset(disks_, now);
     for (Index i = 0; i < n; ++i) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
   }
   for (Index i = 0; i < n; ++i) predict(i, now);
-  for (Index i = 0; i < n; ++i) schedule(i);
-}
-
-// A guess of how fast entries are due: it decides how long a bucket is, and no result.
-template <class P>
-void EventLoop<P>::start_event_queue(At now, double area) {
-  double square = 0;
-  double diameter = 0;
-  double covered = 0;
-  for (const Disk& disk : disks_) {
-    const auto radius = static_cast<double>(motion_.species(disk).radius);
-    square += static_cast<double>(S(disk.vx * disk.vx + disk.vy * disk.vy));
-    diameter += 2 * radius;
-    covered += 3.14159 * radius * radius;
-  }
-  const auto n = static_cast<double>(std::max<std::size_t>(disks_.size(), 1));
-  const double gravity = std::hypot(motion_.rules().gravity[0], motion_.rules().gravity[1]);
-  const double speed = std::sqrt(square / n + gravity * std::sqrt(area));
-  const double packing = std::min(covered / area, 0.8);
-  const double island = (1 - packing / 2) / ((1 - packing) * (1 - packing));
-  const double across = n / area * (diameter / n) * island + 1 / std::sqrt(area);
-  const double rate = 4 * n * speed * across;
-  const Time width =
-      rate > 0 ? motion_.rules().scale.ticks(kPerBucket / rate) : P::Clock::longest_flight();
-  queue_.reset(now, width, std::clamp<std::size_t>(disks_.size() / 64, 16, 4096));
+  for (Index i = 0; i < n; ++i) schedule_.add(i);
 }
 
 template <class P>
@@ -104,12 +76,11 @@ void EventLoop<P>::take(const Entry& entry) {
 
 template <class P>
 auto EventLoop<P>::first_event(At until) -> const Entry* {
-  const auto wanted = [this](const Entry& entry) { return disks_[entry.ball].due() == entry.time; };
   const auto prepare = [this](std::span<const Entry> entries, std::span<const Entry> next,
                               std::span<const Entry> after_next) {
     fetch(entries, next, after_next);
   };
-  return queue_.first(until, wanted, prepare);
+  return schedule_.first(until, prepare);
 }
 
 template <class P>
@@ -124,8 +95,8 @@ void EventLoop<P>::advance_to(At until) {
       settle_pressed();
     } else if (next != nullptr) {
       const Entry entry = *next;
-      queue_.drop_first();
-      if (disks_[entry.ball].due() == entry.time) take(entry);
+      schedule_.drop_first();
+      take(entry);
     } else if (next_step_ <= until) {
       next_step_ = P::Clock::never();
       stepped_ = at;
@@ -174,8 +145,6 @@ void EventLoop<P>::rebase(At by) {
   ended_.rebase(by);
   for (Disk& disk : disks_) {
     if (disk.start != P::Clock::ever()) disk.start -= by;
-    if (disk.meets != P::Clock::never()) disk.meets -= by;
-    if (disk.leaves != P::Clock::never()) disk.leaves -= by;
   }
   if (next_step_ != P::Clock::never()) next_step_ -= by;
   reached_ -= by;
@@ -185,7 +154,7 @@ void EventLoop<P>::rebase(At by) {
   impact_time_ = impact_time_ >= by ? Time(impact_time_ - by) : Time(-1);
   before_.rebase(by);
   ties_.rebase(by);
-  queue_.rebase(by);
+  schedule_.rebase(by);
 }
 
 }  // namespace carom::event

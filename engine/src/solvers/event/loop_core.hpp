@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "solvers/event/core.hpp"
+#include "solvers/event/crossing_time.hpp"
 #include "solvers/event/domains/domains.hpp"
 #include "solvers/event/event_loop.hpp"
 #include "solvers/event/groups/conflict_groups.hpp"
+#include "solvers/event/places_in_memory.hpp"
 
 namespace carom::event {
 
@@ -127,15 +129,5 @@ class LoopCore final : public Core {
   ImpactLog log_;              // of the event loop, in the present epoch
   std::vector<Impact> noted_;  // by the numbers of the balls
 };
-
-/// From the fastest ball, what falling across the box adds, and the speed that the lightest ball
-/// gets when all share the energy: the shortest time in which something crosses the box, seconds.
-double crossing_time(const Domain& domain, const Effects& effects, const std::vector<Ball>& balls);
-
-/// Where each ball stands in memory: neighbours in the plane next to each other, where the balls
-/// are so many that it matters.  No result depends on it.
-std::vector<Index> places_in_memory(const Domain& domain, const std::vector<Ball>& balls);
-
-std::array<double, 2> gravity_of(const Effects& effects);
 
 }  // namespace carom::event

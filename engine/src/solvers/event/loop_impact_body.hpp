@@ -31,6 +31,13 @@ void EventLoop<P>::predict_changed(At now) {
   changed_.clear();
 }
 
+template <class P>
+void EventLoop<P>::predict(Index i, At now) {
+  if (motion_.fixed(disks_[i])) return;
+  ++counts_.predictions;
+  schedule_.link(i, prediction_.next(i, now));
+}
+
 // After a new flight has begun.
 template <class P>
 void EventLoop<P>::predict_again(Index i, At now) {
@@ -41,7 +48,7 @@ void EventLoop<P>::predict_again(Index i, At now) {
   }
   if (motion_.rules().collisions) disks_[i].leaves = neighbours_.leaving(disks_[i], i, now);
   predict(i, now);
-  schedule(i);
+  schedule_.add(i);
 }
 
 template <class P>
@@ -145,12 +152,12 @@ void EventLoop<P>::meet(Index i, At now) {
   if (partner == kUnknown) {
     ++counts_.stale;
     if (now == impact_time_ && resolutions_.any() && is_late(i, now)) return;
-    forget(i);
+    schedule_.forget(i);
     predict(i, now);
-    schedule(i);
+    schedule_.add(i);
     return;
   }
-  forget(i);
+  schedule_.forget(i);
   if (partner == kCarry) {
     if (!left_.empty()) left_[i] = kUnknown;
     motion_.carry(disks_[i], now, spin(i));
@@ -162,7 +169,7 @@ void EventLoop<P>::meet(Index i, At now) {
     return;
   }
   watch(now);
-  if (moves(partner)) forget(partner);
+  if (moves(partner)) schedule_.forget(partner);
   pairs_.wait(i, partner);
 }
 
@@ -175,12 +182,9 @@ void EventLoop<P>::next_event(Index i, At now) {
   ++counts_.renewals;
   const Flight<S> here = motion_.at(disks_[i], now);
   const std::span<const Index> fresh = neighbours_.renew(disks_, i, here);
-  Meeting<P> best{disks_[i].meets, kUnknown};
-  predict_pairs(i, fresh.data(), static_cast<std::uint32_t>(fresh.size()), now, best);
   disks_[i].leaves = neighbours_.leaving(disks_[i], i, here, now);
-  predict_alone(i, best);
-  link(i, best);
-  schedule(i);
+  schedule_.link(i, prediction_.next_of(i, fresh, now));
+  schedule_.add(i);
 }
 
 }  // namespace carom::event

@@ -175,8 +175,8 @@ double EventLoop<P>::fly_on(FoundIsland& island, At now) {
   for (std::size_t m = 0; m < island.members.size(); ++m) {
     const Index i = island.members[m];
     remember(i);
-    unlink(i);
-    forget(i);
+    schedule_.unlink(i);
+    schedule_.forget(i);
     Disk& disk = disks_[i];
     disk.x = island.places[m].x;
     disk.y = island.places[m].y;

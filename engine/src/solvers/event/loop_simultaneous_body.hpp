@@ -74,8 +74,8 @@ void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<P
     }
     for (const Index m : balls) {
       if (!moves(m) || resolutions_.contains(m)) continue;
-      unlink(m);
-      forget(m);
+      schedule_.unlink(m);
+      schedule_.forget(m);
       changed_.push_back(m);
     }
     return true;
@@ -97,8 +97,8 @@ void EventLoop<P>::meet_and_note(Index i, Index partner, At now) {
   const Disk partner_was = ball ? disks_[partner] : Disk{};
   for (const Index k : {i, partner}) {
     if (k == partner && !ball) continue;
-    unlink(k);
-    forget(k);
+    schedule_.unlink(k);
+    schedule_.forget(k);
   }
   meet_alone(i, partner, now);
   const double lost = book_.keep();
@@ -153,7 +153,7 @@ void EventLoop<P>::wait_for_all_that_are_met(At now) {
       }
       if (!motion_.rules().collisions) continue;
       neighbours_.lists().each(i, [&](Index j) {
-        if (pair_event(i, j, now) <= now) add(i, j);
+        if (prediction_.pair_event(i, j, now) <= now) add(i, j);
       });
     }
   }
@@ -274,8 +274,8 @@ void EventLoop<P>::resolve_group(SimultaneousImpact& group, const std::vector<In
     if (!spins_.empty()) same = same && spins_before[k] == group.spins[k];
     const bool looks = std::find(to_predict.begin(), to_predict.end(), m) != to_predict.end();
     if (same && !looks) continue;
-    unlink(m);
-    forget(m);
+    schedule_.unlink(m);
+    schedule_.forget(m);
     changed.push_back(m);
     if (same) continue;
     disk.x = group.places[k].x;

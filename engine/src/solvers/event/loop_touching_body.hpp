@@ -20,12 +20,6 @@ bool EventLoop<P>::tied(Index i, Index partner, At now) {
   return meets_another(i, partner, now) || (ball && meets_another(partner, i, now));
 }
 
-template <class P>
-auto EventLoop<P>::pair_event(Index i, Index j, At now) const -> Time {
-  const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
-  return motion_.pair_event(disks_[i], disks_[j], from_contact, now);
-}
-
 // Whether the ball meets something else at this instant, too.
 template <class P>
 bool EventLoop<P>::meets_another(Index i, Index partner, At now) const {
@@ -38,7 +32,7 @@ bool EventLoop<P>::meets_another(Index i, Index partner, At now) const {
   bool meets = false;
   neighbours_.lists().each(i, [&](Index j) {
     if (meets || j == partner) return;
-    meets = pair_event(i, j, now) <= now;
+    meets = prediction_.pair_event(i, j, now) <= now;
   });
   return meets;
 }
@@ -56,7 +50,7 @@ bool EventLoop<P>::touch(Index i, Index j, At now, const Vec<S>& r) const {
       motion_.collapses(a, b, now)) {
     return true;
   }
-  return pair_event(i, j, now) == now;
+  return prediction_.pair_event(i, j, now) == now;
 }
 
 template <class P>
@@ -77,7 +71,7 @@ bool EventLoop<P>::is_late(Index i, At now) {
     const bool meets =
         motion_.pair_event(me, other, false, now) <= now && motion_.rules().collisions;
     if (!meets) continue;
-    forget(i);
+    schedule_.forget(i);
     pairs_.wait(i, before.ball);
     return true;
   }

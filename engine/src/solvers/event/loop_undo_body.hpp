@@ -39,13 +39,13 @@ void EventLoop<P>::take_back(std::vector<Index>& balls) {
   before_.take_back(is_undone, [&](const typename FlightsBefore<P>::Before& before) {
     const Index k = before.ball;
     add(k);
-    unlink(k);
+    schedule_.unlink(k);
     const Time leaves = disks_[k].leaves;
     disks_[k] = before.disk;
     disks_[k].leaves = leaves;
     if (!spins_.empty()) spins_[k] = before.spin;
     if (!left_.empty()) left_[k] = before.left;
-    forget(k);
+    schedule_.forget(k);
   });
   resolutions_.take_back(chosen);
 }

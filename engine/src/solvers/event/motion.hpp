@@ -13,6 +13,7 @@
 #include "solvers/event/physics.hpp"
 #include "solvers/event/rules.hpp"
 #include "solvers/event/solver_box.hpp"
+#include "solvers/event/support.hpp"
 #include "trajectory/pair_time.hpp"
 
 namespace carom::event {
@@ -24,26 +25,9 @@ struct Meeting {
   Index partner = kUnknown;
 };
 
-// What carries a ball, beside the axes along which walls do.
-inline constexpr unsigned kLying = 3;     ///< in a corner, or on the very top of a fixed ball
-inline constexpr unsigned kSlides = 4;    ///< along a wall with friction: + 2 axis, + 1 if forwards
-inline constexpr unsigned kRolls = 8;     ///< along a wall: + axis
-inline constexpr unsigned kSpins = 10;    ///< in a corner with friction
-inline constexpr unsigned kResting = 11;  ///< in an island that rests
-inline constexpr unsigned kStepped = 12;  ///< in an island that moves
-inline constexpr unsigned kJoins = 13;    ///< in an island from its next step on
-
 template <class S>
 Vec<double> in_double(const Vec<S>& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
-
-/// The axes along which walls support what has this support: 1 for x, 2 for y.
-inline unsigned axes_of(unsigned support) {
-  if (support <= kLying) return support;
-  if (support < kRolls) return 1U << ((support - kSlides) / 2);
-  if (support < kSpins) return 1U << (support - kRolls);
-  return support == kSpins ? kLying : 0U;
 }
 
 /// Flights and impacts: pure functions of one flight or two.
@@ -234,25 +218,15 @@ class Motion {
   [[nodiscard]] const S& pull() const { return pull_; }
   /// How far what is stepped goes in so many seconds at a speed of 1, and how fast gravity makes it
   /// in an acceleration of 1: drag slows it.
-  [[nodiscard]] double stepped_way(const S& seconds) const {
-    const Flight<S> flight{{S(0), S(0)}, {S(1), S(0)}};
-    return static_cast<double>(supported_laws_[kLying].displacement(flight, seconds).x);
-  }
+  [[nodiscard]] double stepped_way(const S& seconds) const;
   /// The energy that gravity has given to what is stepped ahead of what it falls until the next
   /// step.
-  [[nodiscard]] double given_ahead(const Disk& disk, At now, At next) const {
-    const S span = stepped_way(rules_.scale.seconds(next - now));
-    const Vec<S>& g = law_.pull();
-    const Vec<S> v = velocity(disk, now);
-    return static_cast<double>(S(span * (g.x * v.x + g.y * v.y) / species(disk).inverse_mass));
-  }
+  [[nodiscard]] double given_ahead(const Disk& disk, At now, At next) const;
   /// The seconds of a step.
   [[nodiscard]] S seconds_of_step() const { return speed_of_step_ / pull_; }
   /// Rule 3, where nothing loses energy along a normal: two that slip past each other and approach
   /// faster meet at an impact.
-  [[nodiscard]] S lasting_speed(const S& slip, const S& reach) const {
-    return 2 * (speed_of_step_ + slip * slip * seconds_of_step() / reach);
-  }
+  [[nodiscard]] S lasting_speed(const S& slip, const S& reach) const;
 
  private:
   void add_supported_species();

@@ -248,4 +248,23 @@ auto Motion<P>::meeting_wait(const Disk& earlier, const Disk& later, const S& re
   return law.under(pull).fixed_disk_wait(relative.r, relative.v, reach, from_contact);
 }
 
+template <class P>
+double Motion<P>::stepped_way(const S& seconds) const {
+  const Flight<S> flight{{S(0), S(0)}, {S(1), S(0)}};
+  return static_cast<double>(supported_laws_[kLying].displacement(flight, seconds).x);
+}
+
+template <class P>
+double Motion<P>::given_ahead(const Disk& disk, At now, At next) const {
+  const S span = stepped_way(rules_.scale.seconds(next - now));
+  const Vec<S>& g = law_.pull();
+  const Vec<S> v = velocity(disk, now);
+  return static_cast<double>(S(span * (g.x * v.x + g.y * v.y) / species(disk).inverse_mass));
+}
+
+template <class P>
+auto Motion<P>::lasting_speed(const S& slip, const S& reach) const -> S {
+  return 2 * (speed_of_step_ + slip * slip * seconds_of_step() / reach);
+}
+
 }  // namespace carom::event

@@ -9,6 +9,7 @@
 #include "solvers/event/domains/domains_start_body.hpp"
 #include "solvers/event/event_queue_body.hpp"
 #include "solvers/event/motion_body.hpp"
+#include "solvers/event/motion_impact_body.hpp"
 #include "solvers/event/motion_rest_body.hpp"
 #include "solvers/event/physics.hpp"
 

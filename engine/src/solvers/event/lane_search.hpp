@@ -1,32 +1,58 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <type_traits>
 
-#include "solvers/event/event_loop.hpp"
+#include "solvers/event/disk.hpp"
 #include "solvers/event/flight_lanes.hpp"
+#include "solvers/event/lanes.hpp"
+#include "solvers/event/motion.hpp"
 #include "solvers/event/pair_lanes.hpp"
 
 namespace carom::event {
 
+/// Which of several flying balls one of them meets first, four looked at side by side.
+///
+/// Holds: the same bits as Motion::pair_event, one after the other.
 template <class P>
-void EventLoop<P>::predict_in_lanes(Index i, const Index* others, std::uint32_t count, At now,
-                                    Meeting<P>& best) const requires kInLanes {
-  if constexpr (std::is_same_v<typename P::Law, BallisticLaw<S>>) {
-    if (!motion_.bends()) {
-      predict_in_lanes_by(StraightLaw<S>{}, i, others, count, now, best);
-      return;
+class LaneSearch {
+ public:
+  using Disk = typename P::Disk;
+
+  /// Of the flights `disks`, by ball; both must outlive this.
+  LaneSearch(const Motion<P>& motion, const Disk* disks) : motion_(motion), disks_(disks) {}
+
+  /// Puts into `best` what ball i meets before it; a meeting in the past is now.  `note_tie(at, i,
+  /// other)` is told of what is at the same time as another one; other: i, where it is not known
+  /// which of several.
+  /// REQUIRES: all of them fly, by the law of motion.
+  template <class NoteTie>
+  void find(Index i, const Index* others, std::uint32_t count, FixedTime now, Meeting<P>& best,
+            const NoteTie& note_tie) const {
+    if constexpr (std::is_same_v<typename P::Law, BallisticLaw<double>>) {
+      if (!motion_.bends()) {
+        find_by(StraightLaw<double>{}, i, others, count, now, best, note_tie);
+        return;
+      }
     }
+    // What the loop does not change, out of the reach of what it calls.
+    find_by(typename P::Law(motion_.law()), i, others, count, now, best, note_tie);
   }
-  // What the loop does not change, out of the reach of what it calls.
-  predict_in_lanes_by(typename P::Law(motion_.law()), i, others, count, now, best);
-}
+
+ private:
+  template <class Law, class NoteTie>
+  void find_by(const Law& law, Index i, const Index* others, std::uint32_t count, FixedTime now,
+               Meeting<P>& best, const NoteTie& note_tie) const;
+
+  const Motion<P>& motion_;
+  const Disk* disks_;
+};
 
 template <class P>
-template <class Law>
-void EventLoop<P>::predict_in_lanes_by(const Law& law, Index i, const Index* others,
-                                       std::uint32_t count, At now,
-                                       Meeting<P>& best) const requires kInLanes {
+template <class Law, class NoteTie>
+void LaneSearch<P>::find_by(const Law& law, Index i, const Index* others, std::uint32_t count,
+                            FixedTime now, Meeting<P>& best, const NoteTie& note_tie) const {
   const Disk& me = disks_[i];
   const auto place_of = [](const Disk& disk) { return TwoLanes{disk.x, disk.y}; };
   const auto velocity_of = [](const Disk& disk) { return TwoLanes{disk.vx, disk.vy}; };

@@ -1,0 +1,164 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "carom/scene_file.hpp"
+#include "solvers/event/loop_core.hpp"
+#include "solvers/event/saved_flight.hpp"
+#include "state/totals.hpp"
+
+namespace carom::event {
+
+// From balls, or saved flights, to an event loop, domains or conflict groups, and back.
+
+template <class P>
+void LoopCore<P>::take_flights(const Continuation& from, const std::string& source) {
+  const std::vector<SavedFlight>& flights = from.flights;
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    flights_.push_back(restored<P>(flights[i]));
+    const auto& left = flights[i].left;
+    left_.push_back(left ? static_cast<Index>(*left) : kUnknown);
+    supports_.push_back(rests_ ? flights[i].support : 0);
+    spins_.push_back(effects_.friction ? number_of<S>(flights[i].spin) : S(0));
+    const auto& start = flights_.back().start;
+    const auto earliest = -P::Clock::longest_flight();
+    if (balls_[i].fixed || (start <= now_.ticks && start >= earliest)) continue;
+    throw SceneError(source,
+                     {{fmt::format("/continuation/flights/{}/start", i),
+                       fmt::format("must be from {} to {}, the present of its clock, "
+                                   "got {}",
+                                   text_of(earliest), text_of(now_.ticks), flights[i].start)}});
+  }
+}
+
+template <class P>
+auto LoopCore<P>::flight_of(const Ball& ball) const -> Disk {
+  const SolverBox<S> room(domain_);
+  Disk disk;
+  disk.x = with_plain_zero(room.wrapped(0, ball.position.x()));
+  disk.y = with_plain_zero(room.wrapped(1, ball.position.y()));
+  disk.vx = ball.fixed ? 0 : with_plain_zero(ball.velocity.x());
+  disk.vy = ball.fixed ? 0 : with_plain_zero(ball.velocity.y());
+  disk.start = now_.ticks;
+  return disk;
+}
+
+// Takes the flights out of the event loop, into the order of the balls.
+template <class P>
+void LoopCore<P>::land() {
+  collect_log();
+  // What a flight has gone round stays with it until it ends.
+  if (loop_ || groups_) turns_before_ = turns(false);
+  read_balls(balls_);
+  flights_.resize(slot_.size());
+  left_.assign(slot_.size(), kUnknown);
+  supports_.assign(slot_.size(), 0);
+  std::vector<Index> number(slot_.size());
+  for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = static_cast<Index>(i);
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    flights_[i] = flight(i);
+    supports_[i] = motion().support(flights_[i]);
+    const Index left = this->left(i);
+    if (left != kUnknown) left_[i] = number[left];
+    if (const auto spin = this->spin(i)) spins_[i] = *spin;
+  }
+  before_.ball_ball += counts().ball_ball;
+  before_.ball_wall += counts().ball_wall;
+  before_.joint_impacts += counts().joint_impacts;
+  before_.jammed += counts().jammed;
+  before_.resting_contacts += counts().resting_contacts;
+  before_.max_overlap = std::max(before_.max_overlap, counts().max_overlap);
+  costs_before_ += costs();
+  lost_before_ = lost();
+  lost_before_.add(present_losses());
+  if constexpr (kShares) {
+    if (domains_) again_ += domains_->solved_again();
+  }
+}
+
+template <class P>
+void LoopCore<P>::start() {
+  BasicRules<S> rules{domain_,
+                      scale_,
+                      gravity_of(effects_),
+                      has_collisions(effects_),
+                      effects_.collisions ? effects_.collisions->restitution : 1,
+                      effects_.walls ? effects_.walls->restitution : 1,
+                      {},
+                      effects_.drag ? effects_.drag->rate : 0,
+                      effects_.friction ? effects_.friction->balls : 0,
+                      effects_.friction ? effects_.friction->walls : 0,
+                      effects_.gravity.has_value(),
+                      effects_.friction.has_value(),
+                      rests_};
+  slot_ = places_in_memory(domain_, balls_);
+  const Way way = choose_way();
+  if (way != Way::loop) std::iota(slot_.begin(), slot_.end(), 0U);
+  std::map<std::pair<S, S>, Index> all_species;
+  std::vector<Disk> disks(balls_.size());
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const BasicSpecies<S> species{balls_[i].radius,
+                                  balls_[i].fixed ? S(0) : S(1 / S(balls_[i].mass))};
+    const auto [at, added] = all_species.try_emplace({species.radius, species.inverse_mass},
+                                                     static_cast<Index>(rules.all_species.size()));
+    if (added) rules.all_species.push_back(species);
+    flights_[i].species = at->second;
+  }
+  supports_.resize(balls_.size(), 0);
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    disks[slot_[i]] = flights_[i];
+    disks[slot_[i]].species += static_cast<Index>(supports_[i] * rules.all_species.size());
+  }
+  loop_.reset();
+  groups_.reset();
+  domains_.reset();
+  flights_ = std::vector<Disk>();  // not beside those of the event loop
+  if constexpr (kShares) {
+    if (way == Way::domains) {
+      domains_ = std::make_unique<Domains<P>>(rules);
+      domains_->set_workers(workers_);
+      domains_->reset(disks, now_.ticks, effects_.friction ? spins_ : std::vector<S>{});
+      flights_.clear();
+      if (effects_.drag) {
+        std::vector<Ball> balls = balls_;
+        read_balls(balls);
+        domains_energy_ = kinetic_energy(Balls(balls));
+      }
+      domains_began_ = now_;
+      return;
+    }
+  }
+  left_.resize(balls_.size(), kUnknown);
+  if (way == Way::groups) {
+    groups_ = std::make_unique<ConflictGroups<P>>(rules);
+    groups_->set_workers(workers_);
+    groups_->note_impacts(log_.wanted);
+    groups_->reset(disks, now_.ticks, left_, effects_.friction ? spins_ : std::vector<S>{});
+    flights_.clear();
+    return;
+  }
+  loop_ = std::make_unique<EventLoop<P>>(std::move(rules));
+  std::vector<Index> left(balls_.size(), kUnknown);
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    if (left_[i] != kUnknown) left[slot_[i]] = slot_[left_[i]];
+  }
+  std::vector<S> spins;
+  if (effects_.friction) {
+    spins.resize(balls_.size());
+    for (std::size_t i = 0; i < balls_.size(); ++i) spins[slot_[i]] = spins_[i];
+  }
+  loop_->reset(disks, now_.ticks, left, spins);
+  if (log_.wanted) loop_->note_in(&log_);
+  flights_.clear();
+  // What was taken from these flights before has been counted already.
+  lost_before_.add(-present_losses());
+}
+
+}  // namespace carom::event
