@@ -1,11 +1,16 @@
-// What a joint impact does where reflections do not end: bodies get one velocity, or their energy
-// back.
+// The parts of a joint impact: which contacts approach, how long they are reflected, and what
+// happens where reflections do not end: bodies get one velocity, or their energy back.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "contact/common_velocities.hpp"
+#include "contact/group_motion.hpp"
 #include "contact/kept_energy.hpp"
+#include "contact/reflection_limits.hpp"
+#include "contact/rounding_approaches.hpp"
 
 namespace carom::event {
 namespace {
@@ -13,6 +18,98 @@ namespace {
 using Bodies = std::vector<Body<double>>;
 using Contacts = std::vector<Contact<double>>;
 using Velocities = std::vector<Vec<double>>;
+
+using Chosen = std::vector<char>;
+
+constexpr double kUnit = std::numeric_limits<double>::epsilon();
+
+TEST(GroupMotion, AsksWhichContactsApproachAndByMoreThanRounding) {
+  // 1 comes to 0, slower than the rounding of what 0 has had; 2 parts from 1, and comes to a wall.
+  const Bodies bodies{{{8, 0}, 1}, {{8 - 4 * kUnit, 0}, 1}, {{9, 0}, 1}, {{1, 0}, 0}};
+  const Contacts contacts{
+      {0, 1, {1, 0}, 1}, {1, 2, {1, 0}, 1}, {2, kWall, {1, 0}, 1}, {3, kWall, {1, 0}, 1}};
+  const ContactGraph<double> graph(bodies, contacts);
+  GroupMotion<double> motion(bodies, graph);
+  EXPECT_EQ(motion.approaching(false), (Chosen{1, 0, 1, 0}));
+  EXPECT_EQ(motion.approaching(true), (Chosen{0, 0, 1, 0}));
+  EXPECT_EQ(motion.mobile(), (Chosen{1, 1, 1, 0}));
+  motion.velocities()[0] = {8 - 4 * kUnit, 0};
+  motion.velocities()[2] = {-1, 0};
+  motion.note_peaks();
+  EXPECT_EQ(motion.peak(1), 17) << "each at its fastest";
+  EXPECT_EQ(motion.approaching(true), (Chosen{0, 1, 0, 0}));
+  motion.velocities()[0] = {-3, 0};
+  motion.velocities()[1] = {-2, 0};
+  EXPECT_FALSE(motion.approaching(false));
+  EXPECT_DOUBLE_EQ(motion.energy(), (9 + 4 + 1) / 2.0);
+}
+
+// A body of mass m between a wall and one of mass M makes about pi sqrt(M / m) impacts.
+TEST(ReflectionLimits, LeaveEnoughRoundsForAMassAMillionTimesAsLarge) {
+  const Bodies bodies{{{0, 0}, 1}, {{-1, 0}, 1e-6}};
+  const Contacts contacts{{0, kWall, {-1, 0}, 1}, {0, 1, {1, 0}, 1}};
+  const ContactGraph<double> graph(bodies, contacts);
+  EXPECT_TRUE(is_lossless(graph));
+  EXPECT_GT(most_rounds(graph), 3142);
+  EXPECT_FALSE(is_too_narrow(graph)) << "the other one moves";
+  EXPECT_FALSE(cannot_open(graph));
+}
+
+TEST(ReflectionLimits, KnowLossesWedgesAndWhatHasNoWayOut) {
+  const Bodies one{{{1, 0}, 1}};
+  const Contacts lossy{{0, kWall, {0, -1}, 0}};
+  const ContactGraph<double> inelastic(one, lossy);
+  EXPECT_FALSE(is_lossless(inelastic));
+  EXPECT_EQ(most_rounds(inelastic), 0);
+  // Two fixed bodies leave a wedge of an angle: pi / angle rounds.
+  const auto wedge = [&](double angle) {
+    const Bodies bodies{{{1, 0}, 1}, {{0, 0}, 0}, {{0, 0}, 0}};
+    const Contacts contacts{{0, 1, {-std::sin(angle / 2), std::cos(angle / 2)}, 1},
+                            {0, 2, {-std::sin(angle / 2), -std::cos(angle / 2)}, 1}};
+    return is_too_narrow(ContactGraph<double>(bodies, contacts));
+  };
+  EXPECT_FALSE(wedge(1e-3));
+  EXPECT_TRUE(wedge(1e-9));
+  const Contacts between{{0, kWall, {1, 0}, 1}, {0, kWall, {-1, 0}, 1}};
+  EXPECT_TRUE(cannot_open(ContactGraph<double>(one, between)));
+}
+
+TEST(RoundingApproaches, AreEndedByNudgesThatAreRounding) {
+  const Bodies bodies{{{3, 1}, 1}, {{3 - 4 * kUnit, 1}, 0.5}};
+  const Contacts contacts{{0, 1, {0.6, 0.8}, 1}};
+  const ContactGraph<double> graph(bodies, contacts);
+  GroupMotion<double> motion(bodies, graph);
+  ASSERT_TRUE(motion.approaching(false));
+  RoundingApproaches<double> rounding(bodies, graph, motion);
+  rounding.end([](const Chosen&) { FAIL() << "a nudge is enough"; });
+  EXPECT_FALSE(motion.approaching(false));
+  EXPECT_GT(rounding.rounds(), 0);
+  EXPECT_EQ(rounding.locked(), 0);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_NEAR(motion.velocities()[k].x, 3, 64 * kUnit);
+    EXPECT_NEAR(motion.velocities()[k].y, 1, 64 * kUnit);
+  }
+}
+
+TEST(RoundingApproaches, OfWedgedBodiesEndInACommonVelocity) {
+  // Between two walls, and reflecting does not help.
+  const Bodies bodies{{{1, 2}, 1}};
+  const Contacts contacts{{0, kWall, {1, 0}, 1}, {0, kWall, {-1, 0}, 1}};
+  const ContactGraph<double> graph(bodies, contacts);
+  GroupMotion<double> motion(bodies, graph);
+  RoundingApproaches<double> rounding(bodies, graph, motion);
+  int reflections = 0;
+  rounding.end([&](const Chosen&) {
+    ++reflections;
+    motion.velocities()[0].x = -motion.velocities()[0].x;
+  });
+  EXPECT_EQ(reflections, rounding.rounds());
+  EXPECT_GT(reflections, 0);
+  EXPECT_EQ(rounding.locked(), 1);
+  EXPECT_EQ(motion.velocities()[0].x, 0);
+  EXPECT_EQ(motion.velocities()[0].y, 2);
+  EXPECT_DOUBLE_EQ(rounding.lost(), 0.5);
+}
 
 TEST(CommonVelocities, KeepTheMomentumOfWhatIsJoined) {
   const Bodies bodies{{{4, 1}, 1}, {{0, 2}, 1.0 / 3}, {{5, 5}, 1}};

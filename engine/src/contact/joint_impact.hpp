@@ -1,52 +1,22 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
-#include <optional>
+#include <cstddef>
 #include <span>
 #include <vector>
 
-#include "contact/common_velocities.hpp"
+#include "contact/contact_graph.hpp"
 #include "contact/dissipation.hpp"
+#include "contact/group_motion.hpp"
+#include "contact/joint_report.hpp"
 #include "contact/kept_energy.hpp"
 #include "contact/nonnegative_impulses.hpp"
 #include "contact/pair_friction.hpp"
 #include "contact/pair_impact.hpp"
+#include "contact/reflection_limits.hpp"
+#include "contact/rounding_approaches.hpp"
 
 namespace carom::event {
-
-/// What resolving one instant took.
-struct JointReport {
-  int rounds = 0;    ///< generalised reflections
-  int impacts = 0;   ///< contacts of balls that carried an impulse in them, counted every time
-  int walls = 0;     ///< the same with walls
-  int settling = 0;  ///< rounds for approaches that are rounding only
-  int locked = 0;    ///< bodies that had to be given a common velocity: the last resort
-  int jammed =
-      0;  ///< contacts without a gap, with speed across it that no sequence of impacts ends
-  /// Energy of jammed groups that nothing of theirs can move with: it counts as lost.
-  double held_energy = 0;
-  double lost = 0;  ///< energy that restitution took; what only mends rounding is not counted
-};
-
-/// The normal impulse of a contact in one reflection.
-template <class S>
-struct Stroke {
-  std::size_t contact;
-  S impulse;
-  S approach;  ///< the speed before it
-  S restitution;
-};
-
-/// What a group may cost in one instant before the rest of it is taken inelastically, in rounds
-/// times contacts squared, and how many rounds any group may take. A ball between a wall and one M
-/// times as heavy needs pi sqrt(M) rounds, so without losses this is reached for M beyond 1e8, or
-/// where balls are wedged in between walls and bounce for ever in no time at all.
-inline constexpr double kMostWork = 1 << 18;
-inline constexpr double kFewRounds = 128;
-inline constexpr int kAnyRounds = std::numeric_limits<int>::max();
-/// A component of a normal that is smaller than this part of the other may be rounding.
-inline constexpr double kRoundingOfNormal = 0x1p-40;
 
 /// All impacts of one instant in a group of touching balls, walls and fixed balls, resolved
 /// together.
@@ -86,22 +56,20 @@ class JointImpact {
       : bodies_(bodies),
         strokes_(strokes),
         graph_(bodies, contacts),
-        velocity_(bodies.size()),
-        peak_(bodies.size()),
-        gains_(contacts.size(), S(0)) {
-    for (std::size_t k = 0; k < bodies.size(); ++k) velocity_[k] = bodies[k].velocity;
-    note_peaks();
-  }
+        gains_(contacts.size(), S(0)) {}
+  JointImpact(const JointImpact&) = delete;
+  JointImpact& operator=(const JointImpact&) = delete;
 
   JointReport resolve() {
-    const bool elastic = lossless();
+    const bool elastic = is_lossless(graph_);
     const int few = 16 + 4 * static_cast<int>(graph_.size());
-    const int most = std::min(most_rounds(), elastic && is_too_narrow() ? few : kAnyRounds);
+    const int most =
+        std::min(most_rounds(graph_), elastic && is_too_narrow(graph_) ? few : kAnyRounds);
     const int soon = std::min(most, few);
-    const std::vector<Vec<S>> start = elastic ? velocity_ : std::vector<Vec<S>>{};
+    const std::vector<Vec<S>> start = elastic ? motion_.velocities() : std::vector<Vec<S>>{};
     bool stopped = false;
-    while (const auto approaching = choose(true)) {
-      if (report_.rounds == most || (elastic && report_.rounds == soon && cannot_open())) {
+    while (const auto approaching = motion_.approaching(true)) {
+      if (report_.rounds == most || (elastic && report_.rounds == soon && cannot_open(graph_))) {
         if (elastic) report_.jammed = static_cast<int>(count(*approaching));
         stop_everything();
         stopped = true;
@@ -109,18 +77,20 @@ class JointImpact {
       }
       ++report_.rounds;
       reflect(*approaching, false);
-      note_peaks();
+      motion_.note_peaks();
     }
-    settle();
-    for (int again = 0; again < 4 && elastic && (stopped || report_.locked > 0); ++again) {
-      const double held = KeptEnergy<S>(bodies_, graph_).give_back(start, velocity_);
+    mend();
+    for (int again = 0; again < 4 && elastic && (stopped || rounding_.locked() > 0); ++again) {
+      const double held = KeptEnergy<S>(bodies_, graph_).give_back(start, motion_.velocities());
       if (again == 0) report_.held_energy += held;
-      note_peaks();
-      if (!choose(false)) break;
-      settle();
+      motion_.note_peaks();
+      if (!motion_.approaching(false)) break;
+      mend();
     }
-    if (elastic) report_.lost = report_.held_energy;
-    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].velocity = velocity_[k];
+    report_.settling = rounding_.rounds();
+    report_.locked = rounding_.locked();
+    report_.lost = elastic ? report_.held_energy : report_.lost + rounding_.lost();
+    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].velocity = motion_.velocities()[k];
     return report_;
   }
 
@@ -129,85 +99,10 @@ class JointImpact {
   const std::vector<S>& gains() const { return gains_; }
 
  private:
-  using Chosen = std::vector<char>;
-
-  static std::size_t index(int body) { return static_cast<std::size_t>(body); }
-
-  Vec<S> velocity(int body) const {
-    return body == kWall ? Vec<S>{S(0), S(0)} : velocity_[index(body)];
-  }
-
-  bool lossless() const {
-    for (std::size_t k = 0; k < graph_.size(); ++k) {
-      if (graph_.mobility(k) > 0 && graph_.contact(k).restitution != 1) return false;
-    }
-    return true;
-  }
+  using Chosen = typename GroupMotion<S>::Chosen;
 
   static std::size_t count(const Chosen& chosen) {
     return static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), 1));
-  }
-
-  /// Whether the group is one body in a wedge so narrow that its pi / angle rounds are too many.
-  bool is_too_narrow() const {
-    if (graph_.size() != 2 || graph_.contact(0).a != graph_.contact(1).a) return false;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const int other = graph_.contact(k).b;
-      if (graph_.inverse_mass(other) != 0 || !(graph_.mobility(k) > 0)) return false;
-    }
-    const S turn = cross(graph_.normal(0), graph_.normal(1));
-    const S along = sharp_dot(graph_.normal(0), graph_.normal(1));
-    return along < 0 && absolute(turn) * most_rounds() < 3;
-  }
-
-  /// Whether some contact has no motion of the group that opens it while the others stay closed or
-  /// open: then no impulses make all part at once.
-  bool cannot_open() const {
-    Chosen all(graph_.size(), 0);
-    for (std::size_t k = 0; k < graph_.size(); ++k) all[k] = graph_.mobility(k) > 0 ? 1 : 0;
-    const std::vector<S> wanted(graph_.size(), S(-1));
-    const std::vector<S> got = graph_.response(nonnegative_impulses(graph_, wanted, all));
-    for (std::size_t k = 0; k < graph_.size(); ++k) {
-      if (all[k] && !(got[k] > 0.5)) return true;
-    }
-    return false;
-  }
-
-  int most_rounds() const {
-    S e = 0;
-    for (std::size_t k = 0; k < graph_.size(); ++k) e = larger(e, graph_.contact(k).restitution);
-    if (e == 0) return 0;
-    const auto contacts = static_cast<double>(graph_.size());
-    const auto loss = static_cast<double>(S(1 - e));
-    const double most = std::max(kMostWork / (contacts * contacts), kFewRounds);
-    const double lossy = 8 * (8 + contacts);
-    return static_cast<int>(lossy < most * loss ? lossy / loss : most);
-  }
-
-  void note_peaks() {
-    for (std::size_t k = 0; k < bodies_.size(); ++k) {
-      const Vec<S>& v = velocity_[k];
-      peak_[k] = larger(peak_[k], larger(absolute(v.x), absolute(v.y)));
-    }
-  }
-
-  /// Contacts that approach, by more than rounding if so asked; nothing, if there are none.
-  std::optional<Chosen> choose(bool beyond_rounding) const {
-    const S noise = 64 * std::numeric_limits<S>::epsilon();
-    Chosen chosen(graph_.size(), 0);
-    bool any = false;
-    for (std::size_t k = 0; k < graph_.size(); ++k) {
-      const Contact<S>& c = graph_.contact(k);
-      if (!(graph_.mobility(k) > 0)) continue;
-      if (!(sharp_dot(c.r, velocity(c.b) - velocity(c.a)) < 0)) continue;
-      if (beyond_rounding) {
-        const S peak = peak_[index(c.a)] + (c.b == kWall ? S(0) : peak_[index(c.b)]);
-        if (!(graph_.parting(k, velocity_) < -noise * peak)) continue;
-      }
-      chosen[k] = 1;
-      any = true;
-    }
-    return any ? std::optional(chosen) : std::nullopt;
   }
 
   /// lossless: as if every restitution were 1.
@@ -238,7 +133,7 @@ class JointImpact {
     const S e = lossless ? S(1) : c.restitution;
     if (!lossless) {
       note_impact(k);
-      const S approach = approach_speed(c.r, velocity(c.b) - velocity(c.a));
+      const S approach = approach_speed(c.r, motion_.velocity(c.b) - motion_.velocity(c.a));
       gains_[k] = gains_[k] + (1 + e) * approach;
       report_.lost +=
           lost_to_restitution(static_cast<double>(approach), static_cast<double>(S(e * approach)),
@@ -248,21 +143,21 @@ class JointImpact {
       }
     }
     if (c.b == kWall) {
-      Vec<S>& v = velocity_[index(c.a)];
+      Vec<S>& v = motion_.velocities()[index(c.a)];
       S& component = c.r.x != 0 ? v.x : v.y;
       component = wall_impact(component, e);
       return;
     }
-    const auto after = pair_impact(c.r, velocity(c.a), velocity(c.b), graph_.inverse_mass(c.a),
-                                   graph_.inverse_mass(c.b), e);
-    velocity_[index(c.a)] = after.a;
-    velocity_[index(c.b)] = after.b;
+    const auto after = pair_impact(c.r, motion_.velocity(c.a), motion_.velocity(c.b),
+                                   graph_.inverse_mass(c.a), graph_.inverse_mass(c.b), e);
+    motion_.velocities()[index(c.a)] = after.a;
+    motion_.velocities()[index(c.b)] = after.b;
   }
 
   /// One reflection along the set's common impulse P: v + (1 + e) k P / m with k = -P.v / P.P/m,
   /// by which the energy is kept (e = 1) however P was rounded.
   void reflect_together(const Chosen& together, bool lossless) {
-    const std::vector<S> impulses = nonnegative_impulses(graph_, partings(), together);
+    const std::vector<S> impulses = nonnegative_impulses(graph_, motion_.partings(), together);
     S restitution = 1;
     for (std::size_t k = 0; k < graph_.size(); ++k) {
       if (!(impulses[k] > 0) || lossless) continue;
@@ -274,6 +169,7 @@ class JointImpact {
   }
 
   void apply(const std::vector<S>& impulses, const S& times, bool counted) {
+    std::vector<Vec<S>>& velocities = motion_.velocities();
     const std::vector<Vec<S>> totals = graph_.totals(impulses);
     ExactSum<S> toward;
     ExactSum<S> size;
@@ -281,8 +177,8 @@ class JointImpact {
       const Vec<S>& p = totals[k];
       const S& m = bodies_[k].inverse_mass;
       if (m == 0) continue;
-      toward.add(p.x * velocity_[k].x);
-      toward.add(p.y * velocity_[k].y);
+      toward.add(p.x * velocities[k].x);
+      toward.add(p.y * velocities[k].y);
       size.add(m * p.x * p.x);
       size.add(m * p.y * p.y);
     }
@@ -296,28 +192,27 @@ class JointImpact {
       for (std::size_t k = 0; k < impulses.size(); ++k) {
         if (!(impulses[k] > 0)) continue;
         strokes_->push_back(
-            {k, S(-factor * impulses[k]), S(-graph_.parting(k, velocity_)), S(times - 1)});
+            {k, S(-factor * impulses[k]), S(-graph_.parting(k, velocities)), S(times - 1)});
       }
     }
     for (std::size_t k = 0; k < totals.size(); ++k) {
-      velocity_[k] = less(velocity_[k], S(factor * bodies_[k].inverse_mass), totals[k]);
+      velocities[k] = less(velocities[k], S(factor * bodies_[k].inverse_mass), totals[k]);
     }
     for (std::size_t k = 0; k < gains_.size(); ++k) {
       if (impulses[k] > 0) gains_[k] = gains_[k] - factor * impulses[k] * graph_.mobility(k);
     }
   }
 
-  std::vector<S> partings() const {
-    std::vector<S> result(graph_.size());
-    for (std::size_t k = 0; k < graph_.size(); ++k) result[k] = graph_.parting(k, velocity_);
-    return result;
+  static std::size_t index(int body) { return static_cast<std::size_t>(body); }
+
+  void mend() {
+    rounding_.end([this](const Chosen& chosen) { reflect(chosen, true); });
   }
 
   /// One inelastic impact of all contacts, also of those that would approach only through it.
   void stop_everything() {
-    Chosen all(graph_.size(), 0);
-    for (std::size_t k = 0; k < graph_.size(); ++k) all[k] = graph_.mobility(k) > 0 ? 1 : 0;
-    const std::vector<S> impulses = nonnegative_impulses(graph_, partings(), all);
+    const std::vector<S> impulses =
+        nonnegative_impulses(graph_, motion_.partings(), motion_.mobile());
     ++report_.rounds;
     for (std::size_t k = 0; k < graph_.size(); ++k) {
       if (impulses[k] > 0) note_impact(k);
@@ -325,87 +220,12 @@ class JointImpact {
     apply(impulses, S(1), true);
   }
 
-  void settle() {
-    S units = 2;
-    while (choose(false)) {
-      if (report_.settling == 12) {
-        lock();
-        return;
-      }
-      ++report_.settling;
-      if (wedged_ || !nudge(units)) reflect(*choose(false), true);
-      units = units * 2;
-    }
-  }
-
-  /// The least impulses after which every contact parts by so many units of rounding of the
-  /// speeds its two had; false, and nothing is done, if rounding is not all they would change, or
-  /// if there are none: then the group is wedged, whatever the units.
-  bool nudge(const S& units) {
-    const S u = std::numeric_limits<S>::epsilon();
-    std::vector<S> parting = partings();
-    Chosen all(graph_.size(), 0);
-    S fastest = 0;
-    for (std::size_t k = 0; k < graph_.size(); ++k) {
-      const Contact<S>& c = graph_.contact(k);
-      const S peak = peak_[index(c.a)] + (c.b == kWall ? S(0) : peak_[index(c.b)]);
-      parting[k] = parting[k] - units * u * peak;
-      all[k] = graph_.mobility(k) > 0 ? 1 : 0;
-      fastest = larger(fastest, peak);
-    }
-    const auto impulses = pivoted_impulses(graph_, parting, all, slack_of_impulses<S>());
-    wedged_ = !impulses;
-    if (wedged_) return false;
-    const std::vector<Vec<S>> totals = graph_.totals(*impulses);
-    std::vector<Vec<S>> nudged = velocity_;
-    const S most = 1048576 * u * fastest;
-    for (std::size_t k = 0; k < totals.size(); ++k) {
-      nudged[k] = less(velocity_[k], S(-bodies_[k].inverse_mass), totals[k]);
-      const Vec<S> change = nudged[k] - velocity_[k];
-      if (!(absolute(change.x) < most && absolute(change.y) < most)) return false;
-    }
-    velocity_ = nudged;
-    return true;
-  }
-
-  /// Balls that approach are given one velocity, along the axis where their contact lies on one,
-  /// and stay one body so, until nothing approaches.
-  void lock() {
-    const double had = energy();
-    CommonVelocities<S> common(bodies_, graph_);
-    // First along the axes that a contact does not only seem to have by rounding.
-    S least = kRoundingOfNormal;
-    while (const auto approaching = choose(false)) {
-      for (std::size_t k = 0; k < graph_.size(); ++k) {
-        if ((*approaching)[k]) common.join(k, least);
-      }
-      least = 0;
-      common.give(velocity_);
-    }
-    report_.locked = common.joined();
-    report_.lost += had - energy();
-  }
-
-  double energy() const {
-    ExactSum<double> sum;
-    for (std::size_t k = 0; k < bodies_.size(); ++k) {
-      if (bodies_[k].inverse_mass == 0) continue;
-      const auto mass = static_cast<double>(S(1 / bodies_[k].inverse_mass));
-      const auto x = static_cast<double>(velocity_[k].x);
-      const auto y = static_cast<double>(velocity_[k].y);
-      sum.add(mass * (x * x) / 2);
-      sum.add(mass * (y * y) / 2);
-    }
-    return sum.rounded();
-  }
-
   std::span<Body<S>> bodies_;
   std::vector<Stroke<S>>* strokes_;
   ContactGraph<S> graph_;
-  std::vector<Vec<S>> velocity_;
-  std::vector<S> peak_;
+  GroupMotion<S> motion_{bodies_, graph_};
+  RoundingApproaches<S> rounding_{bodies_, graph_, motion_};
   std::vector<S> gains_;
-  bool wedged_ = false;
   JointReport report_;
 };
 

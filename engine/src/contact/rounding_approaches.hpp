@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "contact/common_velocities.hpp"
+#include "contact/contact_graph.hpp"
+#include "contact/group_motion.hpp"
+#include "contact/nonnegative_impulses.hpp"
+#include "contact/pair_impact.hpp"
+
+namespace carom::event {
+
+/// A component of a normal that is smaller than this part of the other may be rounding.
+inline constexpr double kRoundingOfNormal = 0x1p-40;
+
+/// Ends approaches that are rounding only, until no contact of a group approaches in the bits that
+/// pair_time() looks at.
+///
+/// The least impulses nudge the bodies apart; where these would do more than mend rounding, the
+/// contacts are reflected.  Wedged bodies come apart by neither: what still approaches after a
+/// dozen rounds is locked to one velocity along that axis, with its momentum.
+template <class S>
+class RoundingApproaches {
+ public:
+  /// All must outlive it.
+  RoundingApproaches(std::span<const Body<S>> bodies, const ContactGraph<S>& graph,
+                     GroupMotion<S>& motion)
+      : bodies_(bodies), graph_(graph), motion_(motion) {}
+
+  /// `reflect` reflects some contacts, given by contact, as if every restitution were 1.
+  template <class Reflect>
+  void end(Reflect reflect) {
+    S units = 2;
+    while (motion_.approaching(false)) {
+      if (rounds_ == 12) {
+        lock();
+        return;
+      }
+      ++rounds_;
+      if (wedged_ || !nudge(units)) reflect(*motion_.approaching(false));
+      units = units * 2;
+    }
+  }
+
+  [[nodiscard]] int rounds() const { return rounds_; }
+  /// Bodies that had to be given a common velocity: the last resort.
+  [[nodiscard]] int locked() const { return locked_; }
+  /// The energy that locking took.
+  [[nodiscard]] double lost() const { return lost_; }
+
+ private:
+  /// The least impulses after which every contact parts by so many units of rounding of the
+  /// speeds its two had; false, and nothing is done, if rounding is not all they would change, or
+  /// if there are none: then the group is wedged, whatever the units.
+  bool nudge(const S& units) {
+    const S u = std::numeric_limits<S>::epsilon();
+    std::vector<S> parting = motion_.partings();
+    S fastest = 0;
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      const S peak = motion_.peak(k);
+      parting[k] = parting[k] - units * u * peak;
+      fastest = larger(fastest, peak);
+    }
+    const auto impulses =
+        pivoted_impulses(graph_, parting, motion_.mobile(), slack_of_impulses<S>());
+    wedged_ = !impulses;
+    if (wedged_) return false;
+    const std::vector<Vec<S>> totals = graph_.totals(*impulses);
+    const std::vector<Vec<S>>& old = motion_.velocities();
+    std::vector<Vec<S>> nudged = old;
+    const S most = 1048576 * u * fastest;
+    for (std::size_t k = 0; k < totals.size(); ++k) {
+      nudged[k] = less(old[k], S(-bodies_[k].inverse_mass), totals[k]);
+      const Vec<S> change = nudged[k] - old[k];
+      if (!(absolute(change.x) < most && absolute(change.y) < most)) return false;
+    }
+    motion_.velocities() = std::move(nudged);
+    return true;
+  }
+
+  /// Balls that approach are given one velocity, along the axis where their contact lies on one,
+  /// and stay one body so, until nothing approaches.
+  void lock() {
+    const double had = motion_.energy();
+    CommonVelocities<S> common(bodies_, graph_);
+    // First along the axes that a contact does not only seem to have by rounding.
+    S least = kRoundingOfNormal;
+    while (const auto approaching = motion_.approaching(false)) {
+      for (std::size_t k = 0; k < graph_.size(); ++k) {
+        if ((*approaching)[k]) common.join(k, least);
+      }
+      least = 0;
+      common.give(motion_.velocities());
+    }
+    locked_ = common.joined();
+    lost_ += had - motion_.energy();
+  }
+
+  std::span<const Body<S>> bodies_;
+  const ContactGraph<S>& graph_;
+  GroupMotion<S>& motion_;
+  bool wedged_ = false;
+  int rounds_ = 0;
+  int locked_ = 0;
+  double lost_ = 0;
+};
+
+}  // namespace carom::event
