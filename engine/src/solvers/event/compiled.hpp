@@ -16,9 +16,9 @@
 #include "solvers/event/loop_island_hit_body.hpp"
 #include "solvers/event/loop_island_search_body.hpp"
 #include "solvers/event/loop_island_step_body.hpp"
+#include "solvers/event/loop_joint_body.hpp"
 #include "solvers/event/loop_rest_body.hpp"
 #include "solvers/event/loop_simultaneous_body.hpp"
-#include "solvers/event/loop_touching_body.hpp"
 #include "solvers/event/loop_undo_body.hpp"
 #include "solvers/event/motion_body.hpp"
 #include "solvers/event/motion_impact_body.hpp"
@@ -26,6 +26,7 @@
 #include "solvers/event/motion_roll_body.hpp"
 #include "solvers/event/neighbours_body.hpp"
 #include "solvers/event/prediction_body.hpp"
+#include "solvers/event/touch_search_body.hpp"
 
 /// The whole method compiled for one Physics: a source file for each.
 #define CAROM_COMPILE_EVENT(PHYSICS)                    \

@@ -28,12 +28,15 @@
 #include "solvers/event/impact_writer.hpp"
 #include "solvers/event/jam_watch.hpp"
 #include "solvers/event/motion.hpp"
+#include "solvers/event/nearing.hpp"
 #include "solvers/event/neighbours.hpp"
 #include "solvers/event/prediction.hpp"
 #include "solvers/event/resolutions.hpp"
 #include "solvers/event/simultaneous_impact.hpp"
 #include "solvers/event/simultaneous_pairs.hpp"
+#include "solvers/event/step_clock.hpp"
 #include "solvers/event/ties.hpp"
+#include "solvers/event/touch_search.hpp"
 #include "state/totals.hpp"
 
 namespace carom::event {
@@ -121,7 +124,6 @@ class EventLoop {
   [[nodiscard]] S* spin(Index i) { return spins_.empty() ? nullptr : &spins_[i]; }
   [[nodiscard]] const S* spin(Index i) const { return spins_.empty() ? nullptr : &spins_[i]; }
   using Entry = typename EventSchedule<P>::Entry;
-
   using SimultaneousImpact = event::SimultaneousImpact<S>;
   struct FoundIsland;
 
@@ -146,8 +148,8 @@ class EventLoop {
   void end_flight(Index i, At now);
   void watch(At now);
 
-  // Impacts of one instant that share a ball: which balls touch, loop_touching_body.hpp; what they
-  // become, loop_simultaneous_body.hpp.
+  // Impacts of one instant that share a ball: loop_simultaneous_body.hpp, loop_undo_body.hpp; what
+  // they do, loop_joint_body.hpp.
   void begin_simultaneous();
   void remember(Index i);
   /// Takes back what was resolved with these balls at the present instant; adds the balls to them.
@@ -169,19 +171,12 @@ class EventLoop {
   /// One impact, of balls that have been remembered: it is booked and noted.
   void meet_and_note(Index i, Index partner, At now);
   void predict_changed(At now);
-  /// All that touches at this instant, over balls that can move, from these on; takes from `seeds`
-  /// those that it has found.
-  [[nodiscard]] SimultaneousImpact touching(std::vector<Index>& seeds, At now);
   /// `to_predict`: the balls whose next impact is unknown.
   void resolve_group(SimultaneousImpact& group, const std::vector<Index>& to_predict, At now);
   void note_left(const SimultaneousImpact& group, At now);
   [[nodiscard]] JointReport resolve(SimultaneousImpact& group, JointRecord<S>* record) const;
-  void add_member(SimultaneousImpact& group, Index i, At now) const;
-  void add_contacts(SimultaneousImpact& group, std::size_t member, At now);
-  void add_contact(SimultaneousImpact& group, std::size_t member, Index j, At now, bool meets);
   /// What is taken as jammed in vain loses what its contacts have of speed.
   [[nodiscard]] bool gives_up() const { return jam_watch_.level().gives_up(); }
-  [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;
 
   // Contacts that rest: loop_rest_body.hpp.
   void start_resting(At now);
@@ -271,22 +266,22 @@ class EventLoop {
   ImpactWriter<P> writer_{motion_, disks_, notes_};
   EndedFlights<P> ended_{motion_, book_};
   EventCosts costs_;
-  Time next_step_ = P::Clock::never();  ///< of islands
-  Time stepped_ = 0;                    ///< when the last one was, or the balls were taken
-  std::vector<int> number_;             ///< in the island that is looked at; -1
-  std::vector<char> joins_;             ///< it is of an island that is hit now
-  double overlap_ = 0;                  ///< at the last impact of two
-  Time reached_ = 0;                    ///< everything up to here has happened
-  std::vector<Index>
-      left_;  ///< the fixed ball a flight began at; only where balls fall on fixed disks
+  StepClock<typename P::Clock> step_clock_;
+  std::vector<int> number_;  ///< in the island that is looked at; -1
+  std::vector<char> joins_;  ///< it is of an island that is hit now
+  /// The fixed ball a flight began at; only where balls fall on fixed disks.
+  std::vector<Index> left_;
   Time impact_time_ = 0;     ///< of the last impact: the present instant
   SimultaneousPairs pairs_;  ///< of that instant
   Resolutions resolutions_{counts_, book_, notes_};
   FlightsBefore<P> before_;
   Ties<typename P::Clock> ties_;
-  Prediction<P> prediction_{motion_, {disks_, spins_, left_, next_step_}, neighbours_, ties_};
   std::vector<Index> changed_;  ///< balls whose next impact is to be looked for
   JamWatch<typename P::Clock> jam_watch_;
+  Prediction<P> prediction_{
+      motion_, {disks_, spins_, left_, step_clock_.next()}, neighbours_, ties_};
+  TouchSearch<P> touch_search_{
+      motion_, {disks_, spins_, neighbours_, prediction_}, pairs_, jam_watch_.level()};
 };
 
 }  // namespace carom::event

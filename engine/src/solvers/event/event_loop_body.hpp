@@ -45,8 +45,7 @@ void EventLoop<P>::reset(const std::vector<Disk>& disks, At now, const std::vect
   ties_.clear();
   impact_time_ = Time(-1);  // an impact at this very moment begins an instant
   jam_watch_.reset(now, std::max(population_, disks_.size()), motion_.elastic());
-  next_step_ = P::Clock::never();
-  stepped_ = now;
+  step_clock_.reset(now);
   resolutions_.reset(n);
   before_.clear();
   pairs_.reset(n);
@@ -54,7 +53,6 @@ void EventLoop<P>::reset(const std::vector<Disk>& disks, At now, const std::vect
   notes_.forget_slides();
   start_resting(now);
   ended_.reset(disks_, spins_);
-  reached_ = now;
   const Domain& domain = motion_.rules().domain;
   schedule_.reset(now, (domain.upper[0] - domain.lower[0]) * (domain.upper[1] - domain.lower[1]));
   if (motion_.rules().collisions) {
@@ -86,7 +84,7 @@ auto EventLoop<P>::first_event(At until) -> const Entry* {
 template <class P>
 void EventLoop<P>::advance_to(At until) {
   for (;;) {
-    const Time at = std::min(next_step_, Time(until));
+    const Time at = std::min(step_clock_.next(), Time(until));
     const Entry* next = first_event(at);
     const bool same = next != nullptr && next->time == impact_time_;
     if (!same && !pairs_.waiting().empty()) {
@@ -97,15 +95,13 @@ void EventLoop<P>::advance_to(At until) {
       const Entry entry = *next;
       schedule_.drop_first();
       take(entry);
-    } else if (next_step_ <= until) {
-      next_step_ = P::Clock::never();
-      stepped_ = at;
+    } else if (step_clock_.next() <= until) {
+      step_clock_.take();
       step_islands(at);
     } else {
       break;
     }
   }
-  reached_ = until;
   notes_.keep_slides();
 }
 
@@ -146,10 +142,8 @@ void EventLoop<P>::rebase(At by) {
   for (Disk& disk : disks_) {
     if (disk.start != P::Clock::ever()) disk.start -= by;
   }
-  if (next_step_ != P::Clock::never()) next_step_ -= by;
-  reached_ -= by;
+  step_clock_.rebase(by);
   // Times of earlier epochs are only known to be earlier: their ticks do not fit into a number.
-  stepped_ = stepped_ >= by ? Time(stepped_ - by) : Time(-1);
   jam_watch_.rebase(by);
   impact_time_ = impact_time_ >= by ? Time(impact_time_ - by) : Time(-1);
   before_.rebase(by);

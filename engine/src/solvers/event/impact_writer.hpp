@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/cone_island.hpp"
-#include "contact/joint_impact.hpp"
+#include "contact/joint_friction.hpp"
 #include "solvers/event/contact_line.hpp"
 #include "solvers/event/huge_pages.hpp"
 #include "solvers/event/impact_lines.hpp"

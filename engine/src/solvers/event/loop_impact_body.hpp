@@ -66,9 +66,8 @@ void EventLoop<P>::meet_alone(Index i, Index partner, At now) {
   }
   const typename Motion<P>::Strike strike =
       motion_.strike(disks_[i], spin(i), disks_[partner], spin(partner), now);
-  overlap_ = strike.overlap;
   book_.note(strike.lost);
-  counts_.max_overlap = std::max(counts_.max_overlap, overlap_);
+  counts_.max_overlap = std::max(counts_.max_overlap, strike.overlap);
   ++counts_.ball_ball;
   if (!left_.empty()) {
     left_[i] = motion_.fixed(disks_[partner]) ? partner : kUnknown;
@@ -130,20 +129,10 @@ void EventLoop<P>::settle_pressed() {
   predict_changed(now);
 }
 
-// Whether a ball approaches what it meets by more than rounding.
 template <class P>
 bool EventLoop<P>::comes_nearer(Index i, Index partner, At now) const {
-  const Vec<S> mine = motion_.velocity(disks_[i], now);
-  const auto size = [](const Vec<S>& v) { return S(absolute(v.x) + absolute(v.y)); };
-  const S noise = kRounding * std::numeric_limits<S>::epsilon();
-  if (partner >= kWalls) {
-    const S& speed = partner - kWalls < 2 ? mine.x : mine.y;
-    return (partner % 2 == kWalls % 2 ? S(-speed) : speed) > noise * size(mine);
-  }
-  const Vec<S> other = motion_.velocity(disks_[partner], now);
-  const Vec<S> r = motion_.way(motion_.place(disks_[i], now), motion_.place(disks_[partner], now));
-  const S approach = -sharp_dot(r, other - mine) / root(S(r.x * r.x + r.y * r.y));
-  return approach > noise * (size(mine) + size(other));
+  if (partner >= kWalls) return nears_wall(motion_, disks_[i], partner, now);
+  return nears_ball(motion_, disks_[i], disks_[partner], now);
 }
 
 template <class P>

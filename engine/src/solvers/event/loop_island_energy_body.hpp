@@ -95,10 +95,10 @@ void EventLoop<P>::note_held(const FoundIsland& island, double lost) {
 template <class P>
 double EventLoop<P>::given_ahead(At now) const {
   double sum = 0;
-  if (next_step_ == P::Clock::never()) return sum;
+  if (!step_clock_.runs()) return sum;
   for (const Disk& disk : disks_) {
     if (motion_.fixed(disk) || motion_.support(disk) != kStepped) continue;
-    sum += motion_.given_ahead(disk, now, next_step_);
+    sum += motion_.given_ahead(disk, now, step_clock_.next());
   }
   return sum;
 }

@@ -230,8 +230,8 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
   }
   schedule_step(now);
   double span = 0;  // until the next step; 0: for ever
-  if (next_step_ != P::Clock::never()) {
-    span = motion_.stepped_way(motion_.rules().scale.seconds(next_step_ - now));
+  if (step_clock_.runs()) {
+    span = motion_.stepped_way(motion_.rules().scale.seconds(step_clock_.next() - now));
   }
   Hits hits = hits_of(island, now);
   counts_.ball_wall += hits.walls;

@@ -27,13 +27,25 @@ void EventLoop<P>::start_resting(At now) {
 
 template <class P>
 void EventLoop<P>::schedule_step(At now) {
-  if (next_step_ != P::Clock::never() || !(motion_.pull() > 0)) return;
-  const int shift = motion_.step_shift();
-  next_step_ = P::Clock::span(P::Clock::steps(now, shift), shift);
-  // Impacts of the very moment of a step come before it, whether or not others are stepped.
-  if (next_step_ < now || !(stepped_ < now)) {
-    next_step_ = P::Clock::span(P::Clock::steps(now, shift) + 1, shift);
+  if (motion_.pull() > 0) step_clock_.start(now, motion_.step_shift());
+}
+
+// Whether one of an island touches, two cling to each other, or they are too many.
+template <class P>
+bool EventLoop<P>::is_of_island(const SimultaneousImpact& group, At now) const {
+  // Elastic ones part again.
+  if (motion_.rules().restitution < 1 && group.contacts.size() > kManyContacts) return true;
+  for (const Index m : group.members) {
+    if (motion_.in_island(disks_[m])) return true;
   }
+  return std::any_of(group.contacts.begin(), group.contacts.end(), [&](const Contact<S>& contact) {
+    if (contact.b == kWall) return false;
+    const auto a = static_cast<std::size_t>(contact.a);
+    const auto b = static_cast<std::size_t>(contact.b);
+    const Vec<S> v = group.bodies[b].velocity - group.bodies[a].velocity;
+    return !(sharp_dot(contact.r, v) > 0) &&
+           motion_.sticks(disks_[group.members[a]], disks_[group.members[b]], contact.r, now);
+  });
 }
 
 template <class P>

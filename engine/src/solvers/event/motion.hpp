@@ -10,6 +10,7 @@
 #include "numbers/scalar.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/lanes.hpp"
+#include "solvers/event/meeting.hpp"
 #include "solvers/event/physics.hpp"
 #include "solvers/event/rules.hpp"
 #include "solvers/event/solver_box.hpp"
@@ -17,13 +18,6 @@
 #include "trajectory/pair_time.hpp"
 
 namespace carom::event {
-
-/// The end of a flight: with what, and when.
-template <class P>
-struct Meeting {
-  typename P::Time time = P::Clock::never();
-  Index partner = kUnknown;
-};
 
 template <class S>
 Vec<double> in_double(const Vec<S>& v) {

@@ -51,11 +51,25 @@ class Prediction {
   /// What the ball meets before the time it is known to meet nothing until; kUnknown: nothing.
   [[nodiscard]] Meeting<P> next(Index i, At now) const;
   /// The same of these balls, walls and the end of its flight alone.
+  /// REQUIRES: it is known when the ball leaves its safe region.
   [[nodiscard]] Meeting<P> next_of(Index i, std::span<const Index> others, At now) const;
   /// When two balls meet, if that is by `now`.
   [[nodiscard]] Time pair_event(Index i, Index j, At now) const {
     const bool from_contact = !left_.empty() && (left_[i] == j || left_[j] == i);
     return motion_.pair_event(disks_[i], disks_[j], from_contact, now);
+  }
+
+  /// Calls visit(partner) for all walls and balls that the ball meets by `now`.
+  template <class Visit>
+  void each_met(Index i, At now, const Visit& visit) const {
+    for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
+      if (!motion_.rules().domain.solid((wall - kWalls) / 2)) continue;
+      if (motion_.wall_event(disks_[i], wall) <= now) visit(wall);
+    }
+    if (!motion_.rules().collisions) return;
+    neighbours_.lists().each(i, [&](Index j) {
+      if (pair_event(i, j, now) <= now) visit(j);
+    });
   }
 
  private:

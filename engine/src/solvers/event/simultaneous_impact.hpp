@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "contact/pair_impact.hpp"
+#include "contact/contact_graph.hpp"
 #include "solvers/event/disk.hpp"
 
 namespace carom::event {

@@ -1,0 +1,109 @@
+#include "solvers/event/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "solvers/event/physics.hpp"
+
+namespace carom::event {
+namespace {
+
+/// A box of 10 by 10 around the origin; balls of radius 1/2 and mass 1, 2, and fixed ones.
+Rules rules() {
+  Box box;
+  box.width = 10;
+  box.height = 10;
+  box.origin = Box::Origin::center;
+  Rules rules{{box, true}, FixedTimeClock(0.5)};
+  rules.all_species = {{0.5, 1}, {0.5, 0.5}, {0.5, 0}};
+  return rules;
+}
+
+Disk disk(double x, double y, double vx, double vy, Index species = 0) {
+  Disk disk;
+  disk.x = x;
+  disk.y = y;
+  disk.vx = vx;
+  disk.vy = vy;
+  disk.species = species;
+  return disk;
+}
+
+TEST(Motion, OfAFallIsAParabola) {
+  Rules falling = rules();
+  falling.gravity = {0, -2};
+  const Motion<Ballistic> motion(falling);
+  Disk thrown = disk(-1, 0, 1, 3);
+  thrown.start = falling.scale.ticks(1);
+  const FixedTime now = falling.scale.ticks(3);
+  EXPECT_DOUBLE_EQ(motion.place(thrown, now).x, 1);
+  EXPECT_DOUBLE_EQ(motion.place(thrown, now).y, 2);  // 3 * 2 - 2^2
+  EXPECT_DOUBLE_EQ(motion.velocity(thrown, now).y, -1);
+  EXPECT_DOUBLE_EQ(motion.place(disk(1, 1, 0, 0, 2), now).y, 1);  // a fixed one does not fall
+}
+
+// Dropped from h = 4.5 above where it touches the floor: after sqrt(2h / g), at sqrt(2gh), of which
+// half is left.
+TEST(Motion, ABallMeetsTheFloorAndBounces) {
+  for (const double pull : {0.3, 1.1, 2.9, 3.7, 9.81}) {
+    Rules falling = rules();
+    falling.gravity = {0, -pull};
+    falling.wall_restitution = 0.5;
+    const Motion<Ballistic> motion(falling);
+    Disk ball = disk(0, 0, 0, 0);
+    const Meeting<Ballistic> floor = motion.alone(ball);
+    EXPECT_EQ(floor.partner, kWalls + 2);
+    EXPECT_NEAR(falling.scale.seconds(floor.time), std::sqrt(9 / pull), 1e-14);
+    const double lost = motion.bounce(ball, nullptr, floor.partner, floor.time);
+    EXPECT_EQ(ball.y, -4.5);
+    EXPECT_NEAR(ball.vy, std::sqrt(9 * pull) / 2, 1e-14);
+    EXPECT_NEAR(lost, 4.5 * pull * 3 / 4, 1e-13);
+    EXPECT_EQ(ball.start, floor.time);
+  }
+}
+
+TEST(Motion, TwoMeetWhenTheirDistanceIsThatOfTheirRadii) {
+  const Motion<Ballistic> motion(rules());
+  const Disk left = disk(-2, 0, 3, 0);
+  const Disk right = disk(2, 0, -1, 0);
+  const FixedTime at = motion.pair_event(left, right);
+  EXPECT_NEAR(motion.rules().scale.seconds(at), 3.0 / 4, 1e-14);
+  EXPECT_EQ(motion.pair_event(right, left), at);
+  EXPECT_EQ(motion.pair_event(left, disk(2, 0, 4, 0)), kNever);
+  EXPECT_EQ(motion.pair_event(left, disk(2, 1.5, -1, 0)), kNever);  // it passes by
+  // The same pair, one of which started its flight later.
+  Disk later = disk(1.5, 0, -1, 0);
+  later.start = motion.rules().scale.ticks(0.5);
+  EXPECT_NEAR(static_cast<double>(motion.pair_event(left, later) - at), 0, 4);
+}
+
+// Masses 1 and 2 at 3 and 0 with e = 1/2: the centre of mass goes at 1, the two apart at 3/2.
+TEST(Motion, AStrikeKeepsMomentumAndTakesWhatRestitutionSays) {
+  Rules lossy = rules();
+  lossy.restitution = 0.5;
+  const Motion<Ballistic> motion(lossy);
+  Disk a = disk(0, 0, 3, 1);
+  Disk b = disk(1, 0, 0, 1, 1);
+  const auto strike = motion.strike(a, nullptr, b, nullptr, 0);
+  EXPECT_NEAR(a.vx, 0, 1e-15);
+  EXPECT_NEAR(b.vx, 1.5, 1e-15);
+  EXPECT_EQ(a.vy, 1);
+  EXPECT_EQ(b.vy, 1);
+  EXPECT_NEAR(strike.lost, 4.5 - 2.25, 1e-15);
+  EXPECT_EQ(strike.overlap, 0);
+}
+
+TEST(Motion, AFixedBallStaysWhereItIsStruck) {
+  const Motion<Ballistic> motion(rules());
+  Disk a = disk(0, 0, 3, 1);
+  Disk peg = disk(1, 0, 0, 0, 2);
+  EXPECT_TRUE(motion.fixed(peg));
+  (void)motion.strike(a, nullptr, peg, nullptr, 0);
+  EXPECT_EQ(a.vx, -3);
+  EXPECT_EQ(a.vy, 1);
+  EXPECT_EQ(peg.vx, 0);
+}
+
+}  // namespace
+}  // namespace carom::event
