@@ -115,6 +115,25 @@ TEST(EventJammed, EnergyThatNothingCanMoveWithIsHeld) {
   EXPECT_EQ(ball.bodies[0].velocity, (V{0, 0}));
 }
 
+// A ball at rest that touches a wall, and one M times as heavy that comes to it.
+Lattice between_wall_and_heavy(double heavy) {
+  Lattice pair;
+  pair.bodies = {{{0, 0}, 1}, {{-1, 0}, 1 / heavy}};
+  pair.contacts = {{0, kWall, {-1, 0}, 1}, {0, 1, {1, 0}, 1}};
+  return pair;
+}
+
+// There are as many impacts as the first digits of pi say (Galperin 2003): 3,141,592.  They are not
+// waited for, as the angle of the wedge tells so after a few rounds.
+TEST(EventJammed, AWedgeThatIsTooNarrowIsNotWaitedFor) {
+  Lattice pair = between_wall_and_heavy(1e12);
+  const JointReport report = pair.resolve();
+  EXPECT_LE(report.rounds, 32);
+  EXPECT_GT(report.jammed, 0);
+  EXPECT_FALSE(pair.approaches());
+  EXPECT_NEAR(pair.energy() + report.held_energy, 5e11, 5e11 * 1e-12);
+}
+
 TEST(EventJammed, ElasticLatticesKeepTheirEnergyAndEnd) {
   int jammed = 0;
   for (unsigned seed = 0; seed < 1000; ++seed) {

@@ -36,12 +36,12 @@ namespace carom::event {
 /// Wedged balls cannot do that: what still approaches is locked to one velocity along that axis
 /// with its momentum.
 /// Jammed: in a gap of exactly zero between walls or fixed balls, as that of a ball as tall as its
-/// box, a speed across has no limit as a sequence of impacts, nor has a sequence that takes too
-/// many rounds one that can be had. Where nothing is lost in an impact, such a group gets the
-/// nearest velocities by which nothing approaches, all of them longer by one factor so that its
-/// energy stays; seen from its centre of mass, if it touches nothing fixed. What vibrated in the
-/// gap so drives the group apart along the ways that are open. If there is none, the energy is
-/// held back, and counts as lost.
+/// box, a speed across has no limit as a sequence of impacts. Nor can one be had where a sequence
+/// takes too many rounds, or may take too many by the angle of the wedge it is in. Where nothing is
+/// lost in an impact, such a group gets the nearest velocities by which nothing approaches, all of
+/// them longer by one factor so that its energy stays; seen from its centre of mass, if it touches
+/// nothing fixed. What vibrated in the gap so drives the group apart along the ways that are open.
+/// If there is none, the energy is held back, and counts as lost.
 /// Holds: numbering, sides, mirrors and swapped axes leave the bits as they are: every contact
 /// sees the same old velocities, every sum is rounded once. Momentum of free groups to rounding.
 /// Source: Smith, Kaufman, Vouga, Tamstorf, Grinspun, Reflections on simultaneous impact, ACM TOG
@@ -63,13 +63,13 @@ class JointImpact {
   JointReport resolve() {
     const bool elastic = is_lossless(graph_);
     const int few = 16 + 4 * static_cast<int>(graph_.size());
-    const int most =
-        std::min(most_rounds(graph_), elastic && is_too_narrow(graph_) ? few : kAnyRounds);
+    const int most = most_rounds(graph_);
     const int soon = std::min(most, few);
     const std::vector<Vec<S>> start = elastic ? motion_.velocities() : std::vector<Vec<S>>{};
     bool stopped = false;
     while (const auto approaching = motion_.approaching(true)) {
-      if (report_.rounds == most || (elastic && report_.rounds == soon && cannot_open(graph_))) {
+      const bool looks = elastic && report_.rounds == soon;
+      if (report_.rounds == most || (looks && is_too_narrow(graph_, most))) {
         if (elastic) report_.jammed = static_cast<int>(count(*approaching));
         stop_everything();
         stopped = true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -16,7 +17,8 @@ namespace carom::event {
 /// where balls are wedged in between walls and bounce for ever in no time at all.
 inline constexpr double kMostWork = 1 << 18;
 inline constexpr double kFewRounds = 128;
-inline constexpr int kAnyRounds = std::numeric_limits<int>::max();
+/// What may take more rounds than this, and than it may cost, is not waited for.
+inline constexpr int kNarrow = 1 << 12;
 
 /// Whether nothing is lost in any impact of the group.
 template <class S>
@@ -40,31 +42,34 @@ template <class S>
   return static_cast<int>(lossy < most * loss ? lossy / loss : most);
 }
 
-/// Whether the group is one body in a wedge so narrow that its pi / angle rounds are too many.
+/// How many rounds a group may take to come apart: pi over the angle of its wedge, in the space of
+/// its velocities by energy, where contacts are faces and an impact is a reflection. Infinite, if
+/// some contact has no motion of the group that opens it while the others stay closed or open.
 template <class S>
-[[nodiscard]] bool is_too_narrow(const ContactGraph<S>& graph) {
-  if (graph.size() != 2 || graph.contact(0).a != graph.contact(1).a) return false;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const int other = graph.contact(k).b;
-    if (graph.inverse_mass(other) != 0 || !(graph.mobility(k) > 0)) return false;
+[[nodiscard]] double rounds_to_open(const ContactGraph<S>& graph) {
+  constexpr double kPi = 3.14159265358979324;
+  std::vector<char> all(graph.size(), 0);
+  std::vector<S> wanted(graph.size(), S(0));
+  for (std::size_t k = 0; k < graph.size(); ++k) {
+    if (!(graph.mobility(k) > 0)) continue;
+    all[k] = 1;
+    wanted[k] = -root(S(graph.mobility(k)));
   }
-  const S turn = cross(graph.normal(0), graph.normal(1));
-  const S along = sharp_dot(graph.normal(0), graph.normal(1));
-  return along < 0 && absolute(turn) * most_rounds(graph) < 3;
+  const std::vector<S> impulses = nonnegative_impulses(graph, wanted, all);
+  const std::vector<S> got = graph.response(impulses);
+  ExactSum<S> square;  // of the slowest motion that opens all of them by 1
+  for (std::size_t k = 0; k < graph.size(); ++k) {
+    if (!all[k]) continue;
+    if (!(got[k] > -wanted[k] / 2)) return std::numeric_limits<double>::infinity();
+    square.add(-impulses[k] * wanted[k]);
+  }
+  return kPi / 2 * std::sqrt(static_cast<double>(square.rounded()));
 }
 
-/// Whether some contact has no motion of the group that opens it while the others stay closed or
-/// open: then no impulses make all part at once.
+/// Whether a group without losses, which may take `most` rounds, is not waited for.
 template <class S>
-[[nodiscard]] bool cannot_open(const ContactGraph<S>& graph) {
-  std::vector<char> all(graph.size(), 0);
-  for (std::size_t k = 0; k < graph.size(); ++k) all[k] = graph.mobility(k) > 0 ? 1 : 0;
-  const std::vector<S> wanted(graph.size(), S(-1));
-  const std::vector<S> got = graph.response(nonnegative_impulses(graph, wanted, all));
-  for (std::size_t k = 0; k < graph.size(); ++k) {
-    if (all[k] && !(got[k] > 0.5)) return true;
-  }
-  return false;
+[[nodiscard]] bool is_too_narrow(const ContactGraph<S>& graph, int most) {
+  return rounds_to_open(graph) > std::max(most, kNarrow);
 }
 
 }  // namespace carom::event
