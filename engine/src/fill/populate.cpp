@@ -6,6 +6,7 @@
 
 #include "carom/scene.hpp"
 #include "carom/scene_file.hpp"
+#include "fill/blocked_cells.hpp"
 #include "fill/disk_grid.hpp"
 #include "fill/lattice.hpp"
 #include "fill/random.hpp"
@@ -14,6 +15,7 @@ namespace carom {
 
 namespace {
 
+using scene::BlockedCells;
 using scene::DiskGrid;
 using scene::Lattice;
 using scene::Random;
@@ -57,8 +59,8 @@ Region centres_of(const Region& region, double radius) {
   return centres;
 }
 
-void place_at_random(const Scene& scene, std::size_t number, DiskGrid& grid,
-                     std::vector<Vec2>& places) {
+void place_at_random(const Scene& scene, std::size_t number, const std::vector<Ball>& before,
+                     DiskGrid& grid, std::vector<Vec2>& places) {
   const Fill& fill = scene.fills[number];
   const Region region = region_of(fill, scene.box);
   const Region centres = centres_of(region, fill.radius);
@@ -72,6 +74,9 @@ void place_at_random(const Scene& scene, std::size_t number, DiskGrid& grid,
                         "balls, or \"arrangement\": \"hexagonal\"",
                         100 * kJammed, fill.count, fill.radius, 100 * packing));
   }
+  BlockedCells cells(centres.lower, centres.upper, fill.radius, fill.count,
+                     std::max(scene.box.width, scene.box.height));
+  for (const Ball& ball : before) cells.insert(ball.position, ball.radius);
   Random random(scene.seed, 2 * number);
   std::size_t tries = kTriesAtLeast + kTriesPerBall * fill.count;
   while (places.size() < fill.count) {
@@ -90,8 +95,9 @@ void place_at_random(const Scene& scene, std::size_t number, DiskGrid& grid,
         place[k] = region.lower[k];
       }
     }
-    if (!grid.is_free(place, fill.radius)) continue;
+    if (cells.blocked(place) || !grid.is_free(place, fill.radius)) continue;
     grid.insert(place, fill.radius);
+    cells.insert(place, fill.radius);
     places.push_back(place);
   }
 }
@@ -165,7 +171,7 @@ std::vector<Ball> populate(const Scene& scene) {
     std::vector<Vec2> places;
     places.reserve(fill.count);
     if (fill.arrangement == Fill::Arrangement::random) {
-      place_at_random(scene, number, grid, places);
+      place_at_random(scene, number, balls, grid, places);
     } else {
       place_on_lattice(scene, number, grid, places);
     }
