@@ -12,7 +12,6 @@
 #include "solvers/event/loop_cost_body.hpp"
 #include "solvers/event/loop_impact_body.hpp"
 #include "solvers/event/loop_island_coming_body.hpp"
-#include "solvers/event/loop_island_energy_body.hpp"
 #include "solvers/event/loop_island_hit_body.hpp"
 #include "solvers/event/loop_island_search_body.hpp"
 #include "solvers/event/loop_island_step_body.hpp"

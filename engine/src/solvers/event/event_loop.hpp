@@ -22,10 +22,12 @@
 #include "solvers/event/event_costs.hpp"
 #include "solvers/event/event_schedule.hpp"
 #include "solvers/event/flights_before.hpp"
+#include "solvers/event/found_island.hpp"
 #include "solvers/event/groups/path.hpp"
 #include "solvers/event/huge_pages.hpp"
 #include "solvers/event/impact_notes.hpp"
 #include "solvers/event/impact_writer.hpp"
+#include "solvers/event/island_rest.hpp"
 #include "solvers/event/jam_watch.hpp"
 #include "solvers/event/motion.hpp"
 #include "solvers/event/nearing.hpp"
@@ -35,6 +37,7 @@
 #include "solvers/event/simultaneous_impact.hpp"
 #include "solvers/event/simultaneous_pairs.hpp"
 #include "solvers/event/step_clock.hpp"
+#include "solvers/event/stepped_energy.hpp"
 #include "solvers/event/ties.hpp"
 #include "solvers/event/touch_search.hpp"
 #include "state/totals.hpp"
@@ -125,7 +128,7 @@ class EventLoop {
   [[nodiscard]] const S* spin(Index i) const { return spins_.empty() ? nullptr : &spins_[i]; }
   using Entry = typename EventSchedule<P>::Entry;
   using SimultaneousImpact = event::SimultaneousImpact<S>;
-  struct FoundIsland;
+  using FoundIsland = event::FoundIsland<S>;
 
   // The order of time: event_loop_body.hpp.
   void next_event(Index i, At now);
@@ -195,19 +198,6 @@ class EventLoop {
   /// Gives what was lost.
   double fly_on(FoundIsland& island, At now);
 
-  // What an island has: loop_island_energy_body.hpp.
-  struct IslandEnergy {
-    double stepped;
-    double ahead;
-    double others;
-    [[nodiscard]] double all() const { return stepped - ahead + others; }
-  };
-  [[nodiscard]] IslandEnergy energy_of(const FoundIsland& island, double span) const;
-  [[nodiscard]] double loss_of(const FoundIsland& island, double had, double span) const;
-  bool keep_energy(FoundIsland& island, double had, double span) const;
-  [[nodiscard]] bool can_go(const FoundIsland& island, double a, double span) const;
-  void note_held(const FoundIsland& island, double lost);
-
   // Impacts of islands: loop_island_hit_body.hpp.
   /// What of an island meets at an instant.
   struct Hits {
@@ -225,7 +215,6 @@ class EventLoop {
   void hit_islands(std::vector<std::vector<Index>> hits, At now);
   void settle_pressed();
   void hit_island(FoundIsland& island, At now);
-  [[nodiscard]] double approach(const FoundIsland& island, std::size_t contact) const;
   /// Whether the contact is one of a step, and not an impact to come; where balls lose energy, all
   /// near ones are.
   [[nodiscard]] bool lasts(const FoundIsland& island, std::size_t contact) const;
@@ -242,15 +231,6 @@ class EventLoop {
   // Steps of islands: loop_island_step_body.hpp.
   void step_islands(At now);
   void step_island(FoundIsland& island, At now);
-  void hold_still(const FoundIsland& island, DisjointSets& sets, const std::vector<char>& carries,
-                  std::vector<char>& moves) const;
-  /// What is touched by something that moves on and comes nearer moves too.  `moves`: by the number
-  /// of a set of members that carry each other.
-  void pass_on_motion(const FoundIsland& island, DisjointSets& sets,
-                      std::vector<char>& moves) const;
-  /// The members to which something that touches them would come nearer if they flew on as before.
-  [[nodiscard]] std::vector<char> met(const FoundIsland& island,
-                                      const std::vector<ConeBody>& before) const;
 
   std::shared_ptr<const Motion<P>> shared_motion_;
   const Motion<P>& motion_ = *shared_motion_;
@@ -267,6 +247,9 @@ class EventLoop {
   EndedFlights<P> ended_{motion_, book_};
   EventCosts costs_;
   StepClock<typename P::Clock> step_clock_;
+  SteppedEnergy island_energy_{{in_double(motion_.law().pull()), motion_.keeps_energy(),
+                                kTouching* motion_.largest_radius(),
+                                kStill* kStill* static_cast<double>(motion_.speed_of_step())}};
   std::vector<int> number_;  ///< in the island that is looked at; -1
   std::vector<char> joins_;  ///< it is of an island that is hit now
   /// The fixed ball a flight began at; only where balls fall on fixed disks.

@@ -61,7 +61,8 @@ void EventLoop<P>::add_coming(FoundIsland& island, At now) {
       const S reach = motion_.species(disk).radius + motion_.species(other).radius;
       const S gap = squared_gap(r, reach) / (root(S(r.x * r.x + r.y * r.y)) + reach);
       island.contacts.push_back({a, b, {}, static_cast<double>(gap), friction});
-      island.near.push_back({r, kUnknown, false});
+      island.near.push_back({r, kUnknown});
+      island.touches.push_back(0);
     }
     // It is hit the way it will be then.
     ConeContact& contact = island.contacts[k];
@@ -70,7 +71,7 @@ void EventLoop<P>::add_coming(FoundIsland& island, At now) {
     const Vec<S> r =
         motion_.way(motion_.place(disks_[one], pair.at), motion_.place(disks_[other], pair.at));
     contact.normal = in_double(S(1 / root(S(r.x * r.x + r.y * r.y))) * r);
-    island.near[k].comes = !island.near[k].touches;
+    island.near[k].comes = island.touches[k] == 0;
   }
 }
 

@@ -74,25 +74,15 @@ void EventLoop<P>::hit_islands(std::vector<std::vector<Index>> hits, At now) {
   }
 }
 
-// How fast a contact's bodies approach.
-template <class P>
-double EventLoop<P>::approach(const FoundIsland& island, std::size_t contact) const {
-  const ConeContact& c = island.contacts[contact];
-  const auto velocity = [&](int body) {
-    return body == kWall ? Vec<double>{0, 0}
-                         : island.bodies[static_cast<std::size_t>(body)].velocity;
-  };
-  return -sharp_dot(c.normal, velocity(c.b) - velocity(c.a));
-}
-
 template <class P>
 bool EventLoop<P>::lasts(const FoundIsland& island, std::size_t contact) const {
   if (!motion_.elastic()) return true;
   const ConeContact& c = island.contacts[contact];
-  const typename FoundIsland::Near& near = island.near[contact];
+  const auto& near = island.near[contact];
   const double speed = approach(island, contact);
   if (c.b == kWall && near.partner >= kFirstMark) {
-    return near.touches && speed <= static_cast<double>(motion_.lasting_speed(S(0), S(1)));
+    return island.touches[contact] != 0 &&
+           speed <= static_cast<double>(motion_.lasting_speed(S(0), S(1)));
   }
   Vec<double> v = island.bodies[static_cast<std::size_t>(c.a)].velocity;
   if (c.b != kWall) v = v - island.bodies[static_cast<std::size_t>(c.b)].velocity;
@@ -116,8 +106,8 @@ auto EventLoop<P>::hits_of(const FoundIsland& island, At now) const -> Hits {
   hits.fastest = speed_of_step;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const ConeContact& c = island.contacts[k];
-    const typename FoundIsland::Near& near = island.near[k];
-    if (!near.touches && !near.comes) continue;
+    const auto& near = island.near[k];
+    if (island.touches[k] == 0 && !near.comes) continue;
     const auto a = static_cast<std::size_t>(c.a);
     const double speed = approach(island, k);
     if (speed < -kStill * speed_of_step) continue;
@@ -159,7 +149,7 @@ void EventLoop<P>::reflect_island(FoundIsland& island, Hits& hits) {
   const double restitution = gives_up() ? 0 : 1;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const ConeContact& c = island.contacts[k];
-    if (!island.near[k].touches) continue;
+    if (island.touches[k] == 0) continue;
     if (c.b != kWall) {
       contacts.push_back({c.a, c.b, in_double(island.near[k].r), restitution});
     } else if (island.near[k].partner >= kFirstMark) {
@@ -208,7 +198,7 @@ void EventLoop<P>::put_on_walls(FoundIsland& island) const {
     const ConeContact& c = island.contacts[k];
     const auto a = static_cast<std::size_t>(c.a);
     const Index wall = island.near[k].partner;
-    if (c.b != kWall || wall < kFirstMark || !island.near[k].touches) continue;
+    if (c.b != kWall || wall < kFirstMark || island.touches[k] == 0) continue;
     if (motion_.elastic() && c.gap > 0) continue;
     const Disk& disk = disks_[island.members[a]];
     const std::size_t axis = (wall - kWalls) / 2;
@@ -222,7 +212,7 @@ void EventLoop<P>::put_on_walls(FoundIsland& island) const {
 template <class P>
 void EventLoop<P>::hit_island(FoundIsland& island, At now) {
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (!island.near[k].touches) continue;
+    if (island.touches[k] == 0) continue;
     const int b = island.contacts[k].b;
     const Index other =
         b == kWall ? island.near[k].partner : island.members[static_cast<std::size_t>(b)];
@@ -238,7 +228,7 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
   counts_.ball_ball += hits.balls;
   if (hits.walls + hits.balls > 1) ++counts_.joint_impacts;
 
-  const double had = energy_of(island, span).all();
+  const double had = island_energy_.of(island, span).all();
   const bool elastic = motion_.elastic();
   // What a joint impact has left is only what gravity makes until the next step.
   const double goal = elastic ? std::max(kSolved * static_cast<double>(motion_.speed_of_step()),
@@ -272,7 +262,7 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
   put_on_walls(island);
   for (ConeContact& contact : island.contacts) contact.parting = 0;
   const double kept = had - 2 * hits.held;
-  if (keep_energy(island, kept, span)) {
+  if (island_energy_.keep(island, kept, span, gives_up())) {
     if (motion_.keeps_energy()) {
       keep_gaps(island, kept, span, goal, loads);
     } else {
@@ -280,8 +270,8 @@ void EventLoop<P>::hit_island(FoundIsland& island, At now) {
       put_on_walls(island);
     }
   }
-  const double lost = loss_of(island, had, span);
-  if (!(hits.held > 0)) note_held(island, lost);
+  const double lost = island_energy_.loss(island, had, span);
+  if (!(hits.held > 0) && island_energy_.is_held(island, lost)) ++counts_.jammed;
   const std::size_t first_line = notes_.lines();
   if (notes_.wanted()) {
     log.counted = hits.counted;
@@ -339,7 +329,7 @@ void EventLoop<P>::keep_gaps(FoundIsland& island, double had, double span, doubl
   };
   for (int round = 0; round < kMostTurns && closes(); ++round) {
     press(island, span, goal, loads);
-    keep_energy(island, had, span);
+    island_energy_.keep(island, had, span, gives_up());
   }
 }
 
@@ -354,7 +344,7 @@ void EventLoop<P>::hold_on(FoundIsland& island, double span, double goal,
     for (std::size_t k = 0; k < island.contacts.size() && !motion_.elastic(); ++k) {
       const ConeContact& c = island.contacts[k];
       const bool wall = c.b == kWall && island.near[k].partner >= kFirstMark;
-      if (wall || !island.near[k].touches || !(approach(island, k) > 0)) continue;
+      if (wall || island.touches[k] == 0 || !(approach(island, k) > 0)) continue;
       for (const int body : {c.a, c.b}) {
         if (body == kWall) continue;
         unsigned& support = island.support[static_cast<std::size_t>(body)];

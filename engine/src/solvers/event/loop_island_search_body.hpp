@@ -11,26 +11,6 @@
 
 namespace carom::event {
 
-/// The balls of one island, those that come to it, and their near contacts, at one instant.
-template <class P>
-struct EventLoop<P>::FoundIsland {
-  /// A near contact, beside what its impulse depends on.
-  struct Near {
-    Vec<S> r;                  ///< between balls: from the first centre to the second
-    Index partner = kUnknown;  ///< what it is with, where that never moves: a wall or a ball
-    bool touches = false;
-    bool comes = false;  ///< it will touch before the next step, and is resolved ahead of that
-  };
-
-  std::vector<Index> members;
-  std::vector<Vec<S>> places;
-  std::vector<unsigned> support;
-  std::vector<ConeBody> bodies;
-  std::vector<ConeContact> contacts;
-  std::vector<Near> near;  ///< by contact
-  double lifted = 0;       ///< the height that balls were given, in energy
-};
-
 template <class S>
 bool precedes_by_place(const Vec<S>& one, const Vec<S>& other) {
   return one.x < other.x || (one.x == other.x && one.y < other.y);
@@ -65,11 +45,11 @@ void EventLoop<P>::join(FoundIsland& island, Index i, At now) {
     if (gap < 0) put_at(island, at, axis, stop, species.inverse_mass);
     const S side = wall % 2 == kWalls % 2 ? -1 : 1;
     const Vec<S> towards = axis == 0 ? Vec<S>{side, S(0)} : Vec<S>{S(0), side};
-    const bool touches = !(gap > 2 * species.radius * kTouching);
     island.contacts.push_back({number_[i], kWall, in_double(towards),
                                static_cast<double>(larger(gap, S(0))),
                                motion_.rules().wall_friction});
-    island.near.push_back({towards, wall, touches});
+    island.near.push_back({towards, wall});
+    island.touches.push_back(gap > 2 * species.radius * kTouching ? 0 : 1);
   }
   island.places.push_back(at);
 }
@@ -116,7 +96,8 @@ void EventLoop<P>::add_near(FoundIsland& island, std::size_t first, At now, bool
       const S gap = squared_gap(r, reach) / (length + reach);
       island.contacts.push_back({number_[i], fixed ? kWall : number_[j],
                                  in_double(S(1 / length) * r), static_cast<double>(gap), friction});
-      island.near.push_back({r, fixed ? j : kUnknown, near(r, reach, S(kTouching))});
+      island.near.push_back({r, fixed ? j : kUnknown});
+      island.touches.push_back(near(r, reach, S(kTouching)) ? 1 : 0);
       const S depth = -gap / std::min(radius, motion_.species(disks_[j]).radius);
       counts_.max_overlap = std::max(counts_.max_overlap, static_cast<double>(depth));
     }
@@ -166,6 +147,7 @@ void EventLoop<P>::put_in_order(FoundIsland& island) {
       });
   rearrange(island.contacts, in_turn);
   rearrange(island.near, in_turn);
+  rearrange(island.touches, in_turn);
 }
 
 // Every member begins the flight that `island` says, by its `support`.
@@ -192,8 +174,9 @@ double EventLoop<P>::fly_on(FoundIsland& island, At now) {
   std::vector<const Vec<S>*> ways(island.members.size(), nullptr);
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const auto a = static_cast<std::size_t>(island.contacts[k].a);
-    const typename FoundIsland::Near& near = island.near[k];
-    if (island.support[a] >= kResting || !near.touches || near.partner >= kFirstMark) continue;
+    const auto& near = island.near[k];
+    if (island.support[a] >= kResting || island.touches[k] == 0 || near.partner >= kFirstMark)
+      continue;
     if (ways[a] != nullptr && precedes_by_place(*ways[a], near.r)) continue;
     ways[a] = &near.r;
     left_[island.members[a]] = near.partner;

@@ -32,85 +32,6 @@ void EventLoop<P>::step_islands(At now) {
   predict_changed(now);
 }
 
-// What is slow comes to rest only where forces at its contacts hold it: what is pulled moves on. Of
-// many balls, which creep until all contacts carry, slowness decides.
-template <class P>
-void EventLoop<P>::hold_still(const FoundIsland& island, DisjointSets& sets,
-                              const std::vector<char>& carries, std::vector<char>& moves) const {
-  const std::size_t n = island.members.size();
-  const auto find = [&sets](std::size_t k) { return sets.find(static_cast<std::uint32_t>(k)); };
-  const double span =
-      motion_.stepped_way(motion_.rules().scale.seconds(P::Clock::span(1, motion_.step_shift())));
-  const auto speed = static_cast<double>(motion_.speed_of_step());
-  const Vec<double> g = in_double(motion_.law().pull());
-  for (std::size_t first = 0; first < n; ++first) {
-    if (find(first) != first || moves[first] != 0) continue;
-    std::vector<int> number(n, -1);
-    std::vector<ConeBody> bodies;
-    bool fresh = false;
-    for (std::size_t m = 0; m < n; ++m) {
-      if (find(m) != first) continue;
-      number[m] = static_cast<int>(bodies.size());
-      bodies.push_back({span * g, 0, island.bodies[m].inverse_mass});
-      fresh = fresh || island.support[m] != kResting;
-    }
-    if (!fresh || bodies.size() > kFewHeld) continue;
-    std::vector<ConeContact> contacts;
-    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-      ConeContact contact = island.contacts[k];
-      const int a = number[static_cast<std::size_t>(contact.a)];
-      if (a < 0 || (carries[k] == 0 && !island.near[k].touches)) continue;
-      contact.a = a;
-      if (contact.b != kWall) contact.b = number[static_cast<std::size_t>(contact.b)];
-      if (island.contacts[k].b != kWall && contact.b < 0) continue;
-      contact.gap = 0;
-      contacts.push_back(contact);
-    }
-    ConeIsland whole(bodies, contacts);
-    whole.resolve(bodies, 0, kHeld / 4 * speed);
-    for (const ConeBody& body : bodies) {
-      const double most =
-          std::max({std::abs(body.velocity.x), std::abs(body.velocity.y), std::abs(body.turning)});
-      if (most > kHeld * speed) moves[first] = 1;
-    }
-  }
-}
-
-template <class P>
-void EventLoop<P>::pass_on_motion(const FoundIsland& island, DisjointSets& sets,
-                                  std::vector<char>& moves) const {
-  for (bool more = true; more;) {
-    more = false;
-    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-      const ConeContact& c = island.contacts[k];
-      if (c.b == kWall || !island.near[k].touches) continue;
-      const std::uint32_t a = sets.find(static_cast<std::uint32_t>(c.a));
-      const std::uint32_t b = sets.find(static_cast<std::uint32_t>(c.b));
-      if (moves[a] == moves[b]) continue;
-      const ConeBody& moving = island.bodies[static_cast<std::size_t>(moves[a] != 0 ? c.a : c.b)];
-      const double nearer = dot(c.normal, moving.velocity) * (moves[a] != 0 ? 1 : -1);
-      if (!(nearer > 0)) continue;
-      moves[a] = moves[b] = 1;
-      more = true;
-    }
-  }
-}
-
-template <class P>
-std::vector<char> EventLoop<P>::met(const FoundIsland& island,
-                                    const std::vector<ConeBody>& before) const {
-  std::vector<char> met(island.members.size(), 0);
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    const ConeContact& c = island.contacts[k];
-    if (c.b == kWall || !island.near[k].touches) continue;
-    const auto a = static_cast<std::size_t>(c.a);
-    const auto b = static_cast<std::size_t>(c.b);
-    if (dot(c.normal, before[a].velocity - island.bodies[b].velocity) > 0) met[a] = 1;
-    if (dot(c.normal, island.bodies[a].velocity - before[b].velocity) > 0) met[b] = 1;
-  }
-  return met;
-}
-
 template <class P>
 void EventLoop<P>::step_island(FoundIsland& island, At now) {
   ++counts_.steps;
@@ -121,7 +42,7 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
   const auto speed = static_cast<double>(motion_.speed_of_step());
   const double still = (motion_.elastic() ? kStill * kStill : kStill) * speed;
   const std::vector<ConeBody> before = island.bodies;
-  const double had = energy_of(island, 0).all();
+  const double had = island_energy_.of(island, 0).all();
   std::vector<ConeContact> lasting;
   std::vector<std::size_t> number;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
@@ -180,7 +101,7 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
     const double off = std::abs(cross(r, g));
     if (loaded[a] == 1 && off > 0x1p-40 * std::abs(dot(r, g))) moves[find(a)] = 1;
   }
-  hold_still(island, sets, carries, moves);
+  hold_still(island, {g, span, speed}, sets, carries, moves);
   // Where energy is lost, what comes nearer to what rests, or leaves, would hit the island at once.
   if (!motion_.elastic()) pass_on_motion(island, sets, moves);
   const std::vector<char> stay = motion_.elastic() ? std::vector<char>(n, 0) : met(island, before);
@@ -207,7 +128,7 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
       ++counts_.resting_contacts;
     }
     const Index wall = island.near[k].partner;
-    if (c.b != kWall || wall < kFirstMark || !island.near[k].touches) continue;
+    if (c.b != kWall || wall < kFirstMark || island.touches[k] == 0) continue;
     if (motion_.elastic() && c.gap > 0) continue;
     const bool x = wall - kWalls < 2;
     const Disk& disk = disks_[island.members[a]];
@@ -220,9 +141,9 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
     (x ? island.bodies[a].velocity.x : island.bodies[a].velocity.y) = 0;
     island.support[a] = 0;
   }
-  if (keep_energy(island, had, span)) keep_gaps(island, had, span, goal, loads);
-  const double lost = loss_of(island, had, span);
-  note_held(island, lost);
+  if (island_energy_.keep(island, had, span, gives_up())) keep_gaps(island, had, span, goal, loads);
+  const double lost = island_energy_.loss(island, had, span);
+  if (island_energy_.is_held(island, lost)) ++counts_.jammed;
   const std::size_t first_line = notes_.lines();
   if (notes_.wanted()) {
     IslandCarried log;

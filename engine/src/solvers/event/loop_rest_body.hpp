@@ -85,4 +85,15 @@ void EventLoop<P>::wake_around(Index i, At now) {
   }
 }
 
+template <class P>
+double EventLoop<P>::given_ahead(At now) const {
+  double sum = 0;
+  if (!step_clock_.runs()) return sum;
+  for (const Disk& disk : disks_) {
+    if (motion_.fixed(disk) || motion_.support(disk) != kStepped) continue;
+    sum += motion_.given_ahead(disk, now, step_clock_.next());
+  }
+  return sum;
+}
+
 }  // namespace carom::event

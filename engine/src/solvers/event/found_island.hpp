@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "numbers/scalar.hpp"
+#include "solvers/event/disk.hpp"
+#include "solvers/event/island_motion.hpp"
+
+namespace carom::event {
+
+/// The balls of one island, those that come to it, and their near contacts, at one instant.
+template <class S>
+struct FoundIsland : IslandMotion {
+  /// A near contact, beside what its impulse depends on.
+  struct Near {
+    Vec<S> r;                  ///< between balls: from the first centre to the second
+    Index partner = kUnknown;  ///< what it is with, where that never moves: a wall or a ball
+    bool comes = false;  ///< it will touch before the next step, and is resolved ahead of that
+  };
+
+  std::vector<Index> members;  ///< by ball, as are places
+  std::vector<Vec<S>> places;
+  std::vector<Near> near;  ///< by contact
+};
+
+}  // namespace carom::event

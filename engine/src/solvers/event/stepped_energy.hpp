@@ -1,0 +1,53 @@
+#pragma once
+
+#include "numbers/scalar.hpp"
+#include "solvers/event/island_motion.hpp"
+
+namespace carom::event {
+
+/// The energy of contact islands but for their height, less what gravity has given ahead, for the
+/// time of `span`, to balls that are stepped.
+///
+/// Holds: sums are rounded once, so that no order shows.
+/// Units: those of the scene; 0 as a span: of nothing ahead.
+class SteppedEnergy {
+ public:
+  struct Rules {
+    Vec<double> pull;     ///< gravity
+    bool keeps = false;   ///< nothing loses energy at all
+    double touching = 0;  ///< balls so near touch
+    double still = 0;     ///< balls so slow are at rest, where nothing loses energy
+  };
+  explicit SteppedEnergy(const Rules& rules) : rules_(rules) {}
+
+  /// Twice what it is.
+  struct Parts {
+    double stepped;
+    double ahead;
+    double others;
+    [[nodiscard]] double all() const { return stepped - ahead + others; }
+  };
+  [[nodiscard]] Parts of(const IslandMotion& island, double span) const;
+
+  /// What the contacts of an island have taken is what it has less than it had.  That may be less
+  /// than nothing: a ball that joins is given ahead a fall that a contact found later at the same
+  /// instant takes back.
+  [[nodiscard]] double loss(const IslandMotion& island, double had, double span) const;
+
+  /// What is left unsolved must not make energy: those that are stepped are slowed down to what
+  /// there was.  Where nothing loses any, all of the island keeps what it had, by one factor; if it
+  /// `gives_up`, it may have less.  Whether anything is changed.
+  bool keep(IslandMotion& island, double had, double span, bool gives_up) const;
+
+  /// Where nothing takes energy, what an island has lost beyond what its resting balls had is held
+  /// by contacts that cannot move: they are jammed.
+  [[nodiscard]] bool is_held(const IslandMotion& island, double lost) const;
+
+ private:
+  /// Whether no contact closes beyond touching if all go `a` times as fast.
+  [[nodiscard]] bool can_go(const IslandMotion& island, double a, double span) const;
+
+  Rules rules_;
+};
+
+}  // namespace carom::event

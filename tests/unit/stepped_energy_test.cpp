@@ -1,0 +1,100 @@
+#include "solvers/event/stepped_energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "solvers/event/support.hpp"
+
+namespace carom::event {
+namespace {
+
+constexpr Vec<double> kPull{0, -2};
+
+IslandMotion of_two(unsigned first, unsigned second) {
+  IslandMotion island;
+  island.support = {first, second};
+  island.bodies = {{{3, 1}, 2, 0.5}, {{0, 2}, 0, 1}};  // masses 2 and 1
+  return island;
+}
+
+SteppedEnergy energy(bool keeps) {
+  return SteppedEnergy({kPull, keeps, 0x1p-31, 0x1p-20});
+}
+
+// m v^2 + m (r w)^2 / 2 of disks, and 2 h m g v of what is stepped.
+TEST(SteppedEnergy, IsWhatMovesLessWhatGravityHasGivenAhead) {
+  const auto parts = energy(false).of(of_two(kStepped, 0), 0.25);
+  EXPECT_EQ(parts.stepped, 2 * 10 + 2 * 4 / 2);
+  EXPECT_EQ(parts.others, 4);
+  EXPECT_EQ(parts.ahead, 2 * 0.25 * 2 * (-2 * 1));
+  EXPECT_EQ(parts.all(), 24 + 2 + 4);
+}
+
+TEST(SteppedEnergy, IsLostButForWhatWasLifted) {
+  IslandMotion island = of_two(kStepped, 0);
+  EXPECT_EQ(energy(false).loss(island, 40, 0.25), 5);
+  island.lifted = 2;
+  EXPECT_EQ(energy(false).loss(island, 40, 0.25), 3);
+}
+
+// Random islands that have too much or too little: afterwards what is stepped has no more than
+// there was; where energy is kept, all have just that, by one factor.
+TEST(SteppedEnergy, IsKept) {
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  int slower = 0;
+  int faster = 0;
+  for (int round = 0; round < 300; ++round) {
+    IslandMotion island;
+    for (int k = 0; k < 4; ++k) {
+      island.bodies.push_back({{normal(random), normal(random)}, normal(random), 1});
+      island.support.push_back(k < 3 ? kStepped : 0);
+    }
+    for (const bool keeps : {false, true}) {
+      const SteppedEnergy rule = energy(keeps);
+      IslandMotion kept = island;
+      const double now = rule.of(island, 0.01).all();
+      // Not less than what the others have, which are not slowed down.
+      const double had = rule.of(island, 0.01).others + now * (0.1 + std::abs(normal(random)));
+      const bool changed = rule.keep(kept, had, 0.01, false);
+      const double after = rule.of(kept, 0.01).all();
+      if (!keeps) {
+        EXPECT_EQ(changed, now > had);
+        EXPECT_LE(after, had * (1 + 1e-14));
+        EXPECT_EQ(kept.bodies[3].velocity.x, island.bodies[3].velocity.x);
+      } else {
+        EXPECT_NEAR(after, had, 1e-13 * had);
+      }
+      if (!changed) continue;
+      EXPECT_NEAR(after, had, 1e-13 * had);
+      const double factor = kept.bodies[0].velocity.x / island.bodies[0].velocity.x;
+      EXPECT_NEAR(kept.bodies[1].turning, factor * island.bodies[1].turning, 1e-13);
+      ++(factor < 1 ? slower : faster);
+    }
+  }
+  EXPECT_GT(slower, 50);
+  EXPECT_GT(faster, 50);
+}
+
+TEST(SteppedEnergy, MayBeLessWhereTheIslandGivesUp) {
+  IslandMotion island = of_two(kStepped, kStepped);
+  const double now = energy(true).of(island, 0).all();
+  EXPECT_FALSE(energy(true).keep(island, 2 * now, 0, true));
+  EXPECT_TRUE(energy(true).keep(island, now / 2, 0, true));
+  EXPECT_NEAR(energy(true).of(island, 0).all(), now / 2, 1e-14);
+}
+
+// Two that come to rest may lose what they had at that speed: v^2 (m1 + m2).
+TEST(SteppedEnergy, IsHeldWhereMoreIsLostThanRestingBallsHave) {
+  const IslandMotion island = of_two(kStepped, kStepped);
+  const double most = 0x1p-40 * 3;
+  EXPECT_FALSE(energy(true).is_held(island, most));
+  EXPECT_TRUE(energy(true).is_held(island, most * 1.01));
+  EXPECT_TRUE(energy(true).is_held(island, -most * 1.01));
+  EXPECT_FALSE(energy(false).is_held(island, 1));
+}
+
+}  // namespace
+}  // namespace carom::event
