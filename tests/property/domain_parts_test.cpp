@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <random>
 #include <set>
@@ -103,6 +104,25 @@ TEST(NearLists, HoldWhatWasPutIn) {
       } else if (expected[ball].insert(other).second) {
         lists.add(ball, other);
       }
+      if (below(random, 40) == 0) {
+        NearLists::Gathered near;
+        near.clear();
+        expected[ball].clear();
+        const std::uint32_t groups = below(random, 6);
+        for (std::uint32_t k = 0; k < groups; ++k) {
+          const std::uint32_t mask = below(random, 256);
+          near.add(8 * k, mask);
+          for (std::uint32_t b = 0; b < 8; ++b) {
+            if ((mask >> b & 1) != 0) expected[ball].insert(static_cast<Slot>(8 * k + b));
+          }
+        }
+        if (!expected[ball].empty()) {
+          near.remove(*expected[ball].begin());
+          expected[ball].erase(expected[ball].begin());
+        }
+        lists.clear(ball);
+        lists.set(ball, near);
+      }
       for (Slot k = 0; k < 5; ++k) {
         const std::uint32_t size = lists.size(k);
         const Slot* const items = lists.items(k);
@@ -190,7 +210,11 @@ TEST(NearSearch, FindsAllThatAreNearAndFewOthers) {
       const std::uint32_t first = below(random, n);
       const std::uint32_t last = first + below(random, n - first + 1);
       std::set<std::uint32_t> seen;
-      search.each_near(i, first, last, [&](std::uint32_t k) { seen.insert(k); });
+      search.each_group(i, first, last, [&](std::uint32_t k, std::uint32_t mask) {
+        for (; mask != 0; mask &= mask - 1) {
+          seen.insert(k + static_cast<std::uint32_t>(std::countr_zero(mask)));
+        }
+      });
       for (std::uint32_t k = 0; k < n; ++k) {
         const double gap = plane.distance(i, k) - reach - radii[i] - radii[k];
         const bool asked = k >= first && k < last;

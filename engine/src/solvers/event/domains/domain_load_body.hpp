@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <optional>
 
 #include "solvers/event/domains/domain_loop.hpp"
@@ -146,7 +144,6 @@ void DomainLoop<P>::sort_into_slots() {
   tracks_.resize(tracked_ ? n : 0);
   spins_.resize(motion_.rules().spins ? n : 0);
   radii_.resize(mixed_ ? n : 0);
-  first_.assign(n, {never<double>(), std::numeric_limits<float>::infinity(), 0});
   large_.clear();
   for (const Loaded& ball : loading_) {
     const std::uint32_t k = ends_[ball.cell]++;
@@ -187,32 +184,29 @@ void DomainLoop<P>::link(Slot i, Slot j) {
   lists_.add(j, i);
 }
 
-// Each pair once; the fast way where a cell and those around it are all different.  There ends_[c]
-// is the end of cell c, and its beginning the end of the one before.
+// A list for each ball; the fast way where a cell and those around it are all different.  There
+// ends_[c] is the end of cell c, and its beginning the end of the one before.
 template <class P>
 void DomainLoop<P>::list_all() {
   const auto n = static_cast<std::uint32_t>(flights_.size());
-  const auto is_large = [&](std::uint32_t k) { return mixed_ && radii_[k] > normal_radius_; };
-  for (const Slot i : large_) {
-    const std::uint32_t from = lists_.size(i);
-    search_.each_near(i, 0, n, [&](std::uint32_t k) {
-      if (k != i && (!is_large(k) || k > i)) link(i, static_cast<Slot>(k));
-    });
-    pair_up(i, from);
-  }
-  if (!cells_.plain()) {
+  NearLists::Gathered near;
+  const auto is_large = [&](std::uint32_t k) { return radii_[k] > normal_radius_; };
+  if (!large_.empty() || !cells_.plain()) {
     for (std::uint32_t i = 0; i < n; ++i) {
-      if (is_large(i)) continue;
       const auto me = static_cast<Slot>(i);
-      const std::uint32_t from = lists_.size(me);
-      cells_.each_near(cells_.cell_of(me), [&](Slot k) {
-        if (k > i) search_.each_near(i, k, k + 1U, [&](std::uint32_t) { link(me, k); });
-      });
-      pair_up(me, from);
+      near.clear();
+      if (!large_.empty() && is_large(i)) {
+        search_.each_group(i, 0, n,
+                           [&](std::uint32_t k, std::uint32_t mask) { near.add(k, mask); });
+      } else {
+        cells_.each_near(cells_.cell_of(me), [&](Slot k) { near.add(k, search_.near(i, k)); });
+        for (const Slot k : large_) near.add(k, search_.near(i, k));
+      }
+      near.remove(me);
+      lists_.set(me, near);
     }
     return;
   }
-  const bool any_large = !large_.empty();
   const auto begin_of = [&](int c) { return c == 0 ? 0U : ends_[static_cast<std::size_t>(c) - 1]; };
   const auto end_of = [&](int c) { return ends_[static_cast<std::size_t>(c)]; };
   const Cells& plane = cells_.plane();
@@ -224,37 +218,29 @@ void DomainLoop<P>::list_all() {
     std::uint32_t last;
   };
   for (int y = 0; y < rows; ++y) {
-    const bool has_next = y + 1 < rows || plane.wraps(1);
-    const int next = (y + 1 < rows ? y + 1 : 0) * columns;
     for (int x = 0; x < columns; ++x) {
       const int c = y * columns + x;
-      const bool at_end = x + 1 == columns;
-      // What is near and later: the rest of the cell with the next one, and others.
-      const std::uint32_t end = end_of(at_end ? c : c + 1);
-      std::array<Run, 3> others;
-      std::size_t runs = 0;
-      if (at_end && plane.wraps(0)) {
-        others[runs++] = {begin_of(y * columns), end_of(y * columns)};
-      }
-      if (has_next) {
-        const int last = next + columns - 1;
-        others[runs++] = {begin_of(next + std::max(x - 1, 0)),
-                          end_of(std::min(next + x + 1, last))};
-        if (plane.wraps(0) && x == 0) others[runs++] = {begin_of(last), end_of(last)};
-        if (plane.wraps(0) && at_end) others[runs++] = {begin_of(next), end_of(next)};
+      if (begin_of(c) == end_of(c)) continue;
+      std::array<Run, 6> runs;
+      std::size_t count = 0;
+      for (int row = y - 1; row <= y + 1; ++row) {
+        if ((row < 0 || row == rows) && !plane.wraps(1)) continue;
+        const int first = (row < 0 ? rows - 1 : row == rows ? 0 : row) * columns;
+        const int last = first + columns - 1;
+        runs[count++] = {begin_of(std::max(first + x - 1, first)),
+                         end_of(std::min(first + x + 1, last))};
+        if (!plane.wraps(0)) continue;
+        if (x == 0) runs[count++] = {begin_of(last), end_of(last)};
+        if (x + 1 == columns) runs[count++] = {begin_of(first), end_of(first)};
       }
       for (std::uint32_t i = begin_of(c); i < end_of(c); ++i) {
-        if (any_large && is_large(i)) continue;
-        const auto me = static_cast<Slot>(i);
-        const std::uint32_t from = lists_.size(me);
-        const auto try_link = [&](std::uint32_t k) {
-          if (!any_large || !is_large(k)) link(me, static_cast<Slot>(k));
-        };
-        search_.each_near(i, i + 1, end, try_link);
-        for (std::size_t r = 0; r < runs; ++r) {
-          search_.each_near(i, others[r].first, others[r].last, try_link);
+        near.clear();
+        for (std::size_t r = 0; r < count; ++r) {
+          search_.each_group(i, runs[r].first, runs[r].last,
+                             [&](std::uint32_t k, std::uint32_t mask) { near.add(k, mask); });
         }
-        pair_up(me, from);
+        near.remove(static_cast<Slot>(i));
+        lists_.set(static_cast<Slot>(i), near);
       }
     }
   }
@@ -264,38 +250,7 @@ template <class P>
 void DomainLoop<P>::first_events() {
   const auto n = static_cast<std::uint32_t>(flights_.size());
   for (std::uint32_t k = 0; k < n && !unusual_; ++k) {
-    if (sides_[k].fixed) continue;
-    const FirstEvent& first = first_[k];
-    keep_bound(static_cast<Slot>(k), first.time, first.others, first.partner, window_.from);
-  }
-}
-
-// The ball with those behind `from` in its list.
-template <class P>
-void DomainLoop<P>::pair_up(Slot i, std::uint32_t from) {
-  const std::uint32_t size = lists_.size(i);
-  const Slot* const others = lists_.items(i);
-  const typename Approach::Seer me = approach_.seer(paths_[i], i);
-  const auto note = [&](Slot a, Slot b, double time) {
-    FirstEvent& first = first_[a];
-    first.others = std::min(first.others, not_later(std::max(first.time, time)));
-    if (time < first.time) {
-      first.time = time;
-      first.partner = b;
-    }
-  };
-  for (std::uint32_t k = from; k < size; k += kLanes) {
-    const Lanes bounds = approach_.bounds(me, paths_.data(), others + k, Lanes{});
-    std::uint32_t soon = which(bounds < all(end_));
-    if (size - k < kLanes) soon &= (1U << (size - k)) - 1;
-    if (soon == 0) continue;
-    alignas(sizeof(Lanes)) double times[kLanes];
-    std::memcpy(times, &bounds, sizeof bounds);
-    for (; soon != 0; soon &= soon - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(soon));
-      note(i, others[k + lane], times[lane]);
-      note(others[k + lane], i, times[lane]);
-    }
+    if (!sides_[k].fixed) look_ahead(static_cast<Slot>(k), window_.from, 0);
   }
 }
 

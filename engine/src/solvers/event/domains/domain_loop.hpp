@@ -142,12 +142,6 @@ class DomainLoop {
     float square = 0;  ///< of the largest distance from there so far
     float distance = 0;
   };
-  /// What a ball meets first of all that it can meet, while the window is started.
-  struct FirstEvent {
-    double time;
-    float others;
-    Slot partner;
-  };
   struct Loaded {
     float x;  ///< middle of its circle
     float y;
@@ -167,7 +161,6 @@ class DomainLoop {
   void list_all();
   void link(Slot i, Slot j);
   void first_events();
-  void pair_up(Slot i, std::uint32_t from);
 
   // Events: domain_loop_body.hpp.
   [[nodiscard]] double seconds(FixedTime time) const {
@@ -188,6 +181,7 @@ class DomainLoop {
   void renew(Slot i, FixedTime now);
   [[nodiscard]] double exit(Slot i, FixedTime now) const;
   void predict(Slot i, FixedTime now);
+  void look_ahead(Slot i, FixedTime now, double since);
   void settle(Slot i, Meeting<P> best, FixedTime now);
   void predict_exactly(Slot i, FixedTime now);
   void keep_bound(Slot i, double first, double others, Slot partner, FixedTime now);
@@ -224,7 +218,6 @@ class DomainLoop {
   HugeVector<Side> sides_;
   HugeVector<Track> tracks_;  ///< where there is a halo
   HugeVector<Index> memories_;
-  HugeVector<FirstEvent> first_;
   std::vector<double> spins_;
   std::vector<double> radii_;  ///< where they differ
   std::vector<Slot> large_;    ///< balls larger than normal

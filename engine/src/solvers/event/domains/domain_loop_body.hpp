@@ -117,8 +117,7 @@ std::size_t DomainLoop<P>::bytes() const {
   return loading_.capacity() * sizeof(Loaded) + flights_.capacity() * sizeof(BlockFlight) +
          paths_.capacity() * sizeof(Path) + sides_.capacity() * sizeof(Side) +
          tracks_.capacity() * sizeof(Track) + memories_.capacity() * sizeof(Index) +
-         first_.capacity() * sizeof(FirstEvent) + lists_.bytes() + cells_.bytes() +
-         search_.bytes() + queue_.bytes();
+         lists_.bytes() + cells_.bytes() + search_.bytes() + queue_.bytes();
 }
 
 }  // namespace carom::event

@@ -74,6 +74,12 @@ template <class P>
     const double rate = motion_.law().rate;
     if (rate > 0) since = -std::expm1(-rate * since) / rate;
   }
+  look_ahead(i, now, since);
+}
+
+// `since`: of the bounds, the start of the window.
+template <class P>
+[[gnu::always_inline]] inline void DomainLoop<P>::look_ahead(Slot i, FixedTime now, double since) {
   const typename Approach::Earliest earliest = approach_.earliest(
       approach_.seer(paths_[i], i), paths_.data(), lists_.items(i), lists_.size(i), all(since));
   keep_bound(i, earliest.first, earliest.second, earliest.ball, now);

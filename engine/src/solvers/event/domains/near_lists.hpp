@@ -1,9 +1,15 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
 
 #include "solvers/event/huge_pages.hpp"
 
@@ -12,6 +18,18 @@ namespace carom::event {
 /// The number of a ball within a domain.
 using Slot = std::uint16_t;
 inline constexpr Slot kNoSlot = 0xffff;
+
+/// For each set of eight bits the numbers of those that are set, a byte each, from the lowest on.
+inline constexpr std::array<std::uint64_t, 256> kBitsOf = [] {
+  std::array<std::uint64_t, 256> all{};
+  for (std::uint32_t mask = 0; mask < all.size(); ++mask) {
+    std::uint32_t at = 0;
+    for (std::uint32_t rest = mask; rest != 0; rest &= rest - 1) {
+      all[mask] |= static_cast<std::uint64_t>(std::countr_zero(rest)) << (8 * at++);
+    }
+  }
+  return all;
+}();
 
 /// For each ball of a domain the balls near to it: half a cache line, and more only where they are
 /// many.
@@ -22,8 +40,49 @@ class NearLists {
  public:
   static constexpr std::uint32_t kShort = 15;
 
+  /// The balls near to one, as a search finds them.
+  class Gathered {
+   public:
+    void clear() {
+      items_.resize(std::max<std::size_t>(items_.size(), 4 * kEight));
+      std::fill_n(items_.begin(), 2 * kEight, Slot{0});
+      size_ = 0;
+    }
+    /// Ball `first` + b for each bit b of the mask, of eight.
+    [[gnu::always_inline]] void add(std::uint32_t first, std::uint32_t mask) {
+      if (size_ + kEight > items_.size()) items_.resize(2 * items_.size());
+#if defined(__AVX2__)
+      const auto from = static_cast<short>(first);
+      const __m128i bits = _mm_cvtsi64_si128(static_cast<long long>(kBitsOf[mask]));
+      _mm_storeu_si128(reinterpret_cast<__m128i*>(items_.data() + size_),
+                       _mm_add_epi16(_mm_cvtepu8_epi16(bits), _mm_set1_epi16(from)));
+      size_ += static_cast<std::uint32_t>(std::popcount(mask));
+#else
+      for (; mask != 0; mask &= mask - 1) {
+        items_[size_++] =
+            static_cast<Slot>(first + static_cast<std::uint32_t>(std::countr_zero(mask)));
+      }
+#endif
+    }
+    /// Takes one out that is in it.
+    void remove(Slot ball) {
+      std::uint32_t at = 0;
+      while (items_[at] != ball) ++at;
+      items_[at] = items_[--size_];
+    }
+
+   private:
+    friend class NearLists;
+    static constexpr std::uint32_t kEight = 8;
+    std::vector<Slot> items_;  ///< behind the last there are slots, too
+    std::uint32_t size_ = 0;
+  };
+
+  /// REQUIRES: the list of each ball is set before anything else is done with it, unless nothing
+  /// has been put in before.
   void reset(std::size_t balls) {
-    lists_.assign(balls + 1, List{});  // the last may be read a little beyond its end
+    lists_.resize(balls + 1);  // the last may be read a little beyond its end
+    lists_.back() = {};
     long_.clear();
     free_.clear();
   }
@@ -35,6 +94,13 @@ class NearLists {
   [[nodiscard]] const Slot* items(Slot ball) const {
     const List& list = lists_[ball];
     return list.size <= kShort ? list.item : long_[list.item[0]].data();
+  }
+
+  void set(Slot ball, const Gathered& near) {
+    List& list = lists_[ball];
+    std::copy_n(near.items_.begin(), kShort, list.item);
+    list.size = static_cast<Slot>(std::min(near.size_, kShort));
+    for (std::uint32_t k = kShort; k < near.size_; ++k) add_to_long(list, near.items_[k]);
   }
 
   void add(Slot ball, Slot other) {
@@ -66,7 +132,9 @@ class NearLists {
     list.size = 0;
   }
 
-  [[nodiscard]] std::size_t bytes() const { return lists_.capacity() * sizeof(List); }
+  [[nodiscard]] std::size_t bytes() const {
+    return lists_.capacity() * sizeof(List);
+  }
 
  private:
   static constexpr Slot kLong = kShort + 1;
