@@ -90,24 +90,33 @@ class Approach {
     double second;
     Slot ball;
   };
-  /// Of `count` others; behind the last, up to the next multiple of four, are balls, too.
+  /// Of `count` others; behind the last, up to the next multiple of eight, are balls, too.
   [[nodiscard, gnu::always_inline]] Earliest earliest(const Seer& me, const Path* paths,
                                                       const Slot* others, std::uint32_t count,
                                                       Lanes now) const {
     const Lanes never = all(std::numeric_limits<double>::infinity());
     const Lanes numbers{0, 1, 2, 3};
+    const Lanes later_numbers{4, 5, 6, 7};
     Lanes left = all(static_cast<double>(count));
     Lanes first = never;
     Lanes second = never;
     WholeLanes groups{};
-    for (std::uint32_t k = 0; k < count; k += kLanes) {
+    // Two groups at a time: mostly they are all there are.
+    std::uint32_t k = 0;
+    do {
       Lanes time = bounds(me, paths, others + k, now);
+      Lanes later = bounds(me, paths, others + k + kLanes, now);
       time = numbers < left ? time : never;
-      left -= static_cast<double>(kLanes);
+      later = later_numbers < left ? later : never;
+      left -= 2.0 * kLanes;
       second = lesser(second, greater(first, time));
       groups = time < first ? all(std::int64_t{k}) : groups;
       first = lesser(time, first);
-    }
+      second = lesser(second, greater(first, later));
+      groups = later < first ? all(std::int64_t{k} + kLanes) : groups;
+      first = lesser(later, first);
+      k += 2 * kLanes;
+    } while (k < count);
     const double least_time = least(first);
     const std::uint32_t lane = lane_of(first, least_time);
     alignas(32) std::int64_t group_of_lane[kLanes];

@@ -138,12 +138,12 @@ void DomainLoop<P>::sort_into_slots() {
   for (std::size_t c = 0; c < cells_.cells(); ++c) ends_[c + 1] += ends_[c];
   flights_.resize(n);
   // Lists may be read a little beyond their last.
-  paths_.resize(n + 1);
+  paths_.resize(n + NearLists::kShort + 2);
   sides_.resize(n);
   memories_.resize(n);
   tracks_.resize(tracked_ ? n : 0);
   spins_.resize(motion_.rules().spins ? n : 0);
-  radii_.resize(mixed_ ? n : 0);
+  radii_.resize(mixed_ ? n + NearLists::kShort + 2 : 0);
   large_.clear();
   for (const Loaded& ball : loading_) {
     const std::uint32_t k = ends_[ball.cell]++;
@@ -202,7 +202,6 @@ void DomainLoop<P>::list_all() {
         cells_.each_near(cells_.cell_of(me), [&](Slot k) { near.add(k, search_.near(i, k)); });
         for (const Slot k : large_) near.add(k, search_.near(i, k));
       }
-      near.remove(me);
       lists_.set(me, near);
     }
     return;
@@ -239,7 +238,6 @@ void DomainLoop<P>::list_all() {
           search_.each_group(i, runs[r].first, runs[r].last,
                              [&](std::uint32_t k, std::uint32_t mask) { near.add(k, mask); });
         }
-        near.remove(static_cast<Slot>(i));
         lists_.set(static_cast<Slot>(i), near);
       }
     }

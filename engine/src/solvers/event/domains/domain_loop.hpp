@@ -181,7 +181,10 @@ class DomainLoop {
   void renew(Slot i, FixedTime now);
   [[nodiscard]] double exit(Slot i, FixedTime now) const;
   void predict(Slot i, FixedTime now);
+  void predict_both(Slot i, Slot j, FixedTime now);
   void look_ahead(Slot i, FixedTime now, double since);
+  [[nodiscard]] Approach::Earliest earliest(Slot i, double since) const;
+  [[nodiscard]] double straightened(double since) const;
   void settle(Slot i, Meeting<P> best, FixedTime now);
   void predict_exactly(Slot i, FixedTime now);
   void keep_bound(Slot i, double first, double others, Slot partner, FixedTime now);

@@ -82,7 +82,7 @@ template <class P>
 // An impact counts where its balls are owned; the energy it takes, where the one of the lower
 // number is.
 template <class P>
-void DomainLoop<P>::meet(Slot i, Slot j, FixedTime now) {
+[[gnu::flatten]] void DomainLoop<P>::meet(Slot i, Slot j, FixedTime now) {
   const bool moves = !sides_[j].fixed;
   if (queue_.holds(j)) {
     if (window_.from + queue_.time(j) == now && sides_[j].partner != i &&
@@ -107,9 +107,12 @@ void DomainLoop<P>::meet(Slot i, Slot j, FixedTime now) {
     }
   }
   fly_on(i, now);
-  if (moves) fly_on(j, now);
-  if (moves) predict(j, now);
-  predict(i, now);
+  if (moves) {
+    fly_on(j, now);
+    predict_both(j, i, now);
+  } else {
+    predict(i, now);
+  }
 }
 
 template <class P>

@@ -67,22 +67,51 @@ template <class P>
 // early.
 template <class P>
 [[gnu::noinline]] void DomainLoop<P>::predict(Slot i, FixedTime now) {
-  double since = seconds(now);
+  const double since = seconds(now);
   if (since > sides_[i].limit) return;
   ++tally_.predictions;
-  if constexpr (P::Law::kStretches) {
-    const double rate = motion_.law().rate;
-    if (rate > 0) since = -std::expm1(-rate * since) / rate;
-  }
-  look_ahead(i, now, since);
+  look_ahead(i, now, straightened(since));
 }
 
-// `since`: of the bounds, the start of the window.
+// Both at once: what one waits for, the other has time to do.
+template <class P>
+[[gnu::noinline]] void DomainLoop<P>::predict_both(Slot i, Slot j, FixedTime now) {
+  const double since = seconds(now);
+  if (since > sides_[i].limit || since > sides_[j].limit) {
+    predict(i, now);
+    predict(j, now);
+    return;
+  }
+  tally_.predictions += 2;
+  const double bound_since = straightened(since);
+  const Approach::Earliest of_i = earliest(i, bound_since);
+  const Approach::Earliest of_j = earliest(j, bound_since);
+  keep_bound(i, of_i.first, of_i.second, of_i.ball, now);
+  keep_bound(j, of_j.first, of_j.second, of_j.ball, now);
+}
+
+// Of a time of the window, as the bounds count it.
+template <class P>
+[[gnu::always_inline]] inline double DomainLoop<P>::straightened(double since) const {
+  if constexpr (P::Law::kStretches) {
+    const double rate = motion_.law().rate;
+    if (rate > 0) return -std::expm1(-rate * since) / rate;
+  }
+  return since;
+}
+
+// `since`: straightened.
+template <class P>
+[[gnu::always_inline]] inline Approach::Earliest DomainLoop<P>::earliest(Slot i,
+                                                                         double since) const {
+  return approach_.earliest(approach_.seer(paths_[i], i), paths_.data(), lists_.items(i),
+                            lists_.size(i), all(since));
+}
+
 template <class P>
 [[gnu::always_inline]] inline void DomainLoop<P>::look_ahead(Slot i, FixedTime now, double since) {
-  const typename Approach::Earliest earliest = approach_.earliest(
-      approach_.seer(paths_[i], i), paths_.data(), lists_.items(i), lists_.size(i), all(since));
-  keep_bound(i, earliest.first, earliest.second, earliest.ball, now);
+  const Approach::Earliest found = earliest(i, since);
+  keep_bound(i, found.first, found.second, found.ball, now);
 }
 
 // `first`, with `partner`, and `others`: as the bounds of Approach.
@@ -131,7 +160,7 @@ template <class P>
 // The bound of the ball's event has come up.  Gives whether the event is due, and when; where it is
 // not, it is queued again at its exact time.
 template <class P>
-bool DomainLoop<P>::make_exact(Slot i, FixedTime& now, FixedTime until) {
+[[gnu::flatten]] bool DomainLoop<P>::make_exact(Slot i, FixedTime& now, FixedTime until) {
   Side& side = sides_[i];
   const Slot j = side.partner;
   if (sides_[j].changes != side.partner_changes) return true;
@@ -160,15 +189,10 @@ template <class P>
   const Side& side = sides_[i];
   Meeting<P> best{};
   double soonest = std::min(end_, side.leaves);
-  double since = seconds(now);
-  if constexpr (P::Law::kStretches) {
-    const double rate = motion_.law().rate;
-    if (rate > 0) since = -std::expm1(-rate * since) / rate;
-  }
-  const Lanes present = all(since);
+  const Lanes present = all(straightened(seconds(now)));
   const std::uint32_t size = lists_.size(i);
   const Slot* const others = lists_.items(i);
-  const typename Approach::Seer me = approach_.seer(paths_[i], i);
+  const Approach::Seer me = approach_.seer(paths_[i], i);
   for (std::uint32_t k = 0; k < size; k += kLanes) {
     const Lanes bounds = approach_.bounds(me, paths_.data(), others + k, present);
     const WholeLanes soon = bounds < all(soonest);

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #if defined(__AVX2__)
@@ -34,8 +35,8 @@ inline constexpr std::array<std::uint64_t, 256> kBitsOf = [] {
 /// For each ball of a domain the balls near to it: half a cache line, and more only where they are
 /// many.
 ///
-/// Holds: behind the last of a list, up to the next multiple of four, there are slots of balls, so
-/// that four can be read at a time.
+/// Holds: behind the last of a list, up to the next multiple of eight, there are slots of balls or
+/// numbers up to kShort + 1, so that eight can be read at a time.
 class NearLists {
  public:
   static constexpr std::uint32_t kShort = 15;
@@ -43,14 +44,11 @@ class NearLists {
   /// The balls near to one, as a search finds them.
   class Gathered {
    public:
-    void clear() {
-      items_.resize(std::max<std::size_t>(items_.size(), 4 * kEight));
-      std::fill_n(items_.begin(), 2 * kEight, Slot{0});
-      size_ = 0;
-    }
+    /// REQUIRES: what was in it has been taken by `set`.
+    void clear() { size_ = 0; }
     /// Ball `first` + b for each bit b of the mask, of eight.
     [[gnu::always_inline]] void add(std::uint32_t first, std::uint32_t mask) {
-      if (size_ + kEight > items_.size()) items_.resize(2 * items_.size());
+      if (size_ > kMost) size_ = spill();
 #if defined(__AVX2__)
       const auto from = static_cast<short>(first);
       const __m128i bits = _mm_cvtsi64_si128(static_cast<long long>(kBitsOf[mask]));
@@ -64,18 +62,18 @@ class NearLists {
       }
 #endif
     }
-    /// Takes one out that is in it.
-    void remove(Slot ball) {
-      std::uint32_t at = 0;
-      while (items_[at] != ball) ++at;
-      items_[at] = items_[--size_];
-    }
 
    private:
     friend class NearLists;
-    static constexpr std::uint32_t kEight = 8;
-    std::vector<Slot> items_;  ///< behind the last there are slots, too
+    static constexpr std::uint32_t kMost = 40;
+    // What is too many goes on in `more_`.
+    [[gnu::noinline]] std::uint32_t spill() {
+      more_.insert(more_.end(), items_.begin() + kShort, items_.begin() + size_);
+      return kShort;
+    }
+    std::array<Slot, kMost + 8> items_{};  ///< behind the last there are slots, too
     std::uint32_t size_ = 0;
+    std::vector<Slot> more_;
   };
 
   /// REQUIRES: the list of each ball is set before anything else is done with it, unless nothing
@@ -96,11 +94,15 @@ class NearLists {
     return list.size <= kShort ? list.item : long_[list.item[0]].data();
   }
 
-  void set(Slot ball, const Gathered& near) {
+  /// Makes it the list of a ball; `near` is then to be cleared.
+  void set(Slot ball, Gathered& near) {
     List& list = lists_[ball];
-    std::copy_n(near.items_.begin(), kShort, list.item);
+    std::memcpy(list.item, near.items_.data(), sizeof list.item);
     list.size = static_cast<Slot>(std::min(near.size_, kShort));
-    for (std::uint32_t k = kShort; k < near.size_; ++k) add_to_long(list, near.items_[k]);
+    if (near.size_ > kShort) near.spill();
+    if (near.more_.empty()) return;
+    for (const Slot other : near.more_) add_to_long(list, other);
+    near.more_.clear();
   }
 
   void add(Slot ball, Slot other) {
@@ -138,7 +140,7 @@ class NearLists {
 
  private:
   static constexpr Slot kLong = kShort + 1;
-  static constexpr std::uint32_t kAhead = 4;
+  static constexpr std::uint32_t kAhead = 8;
 
   struct alignas(32) List {
     Slot item[kShort]{};

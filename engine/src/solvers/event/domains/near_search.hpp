@@ -49,19 +49,19 @@ class NearSearch {
   [[nodiscard]] std::size_t bytes() const { return 3 * x_.capacity() * sizeof(float); }
 
   /// Calls visit(k, mask) for each eight places from `first` to `last`: bit b of the mask tells
-  /// whether place k + b is near to place i, which is near to itself.
+  /// whether place k + b is near to place i and another one.
   template <class Visit>
   [[gnu::always_inline]] void each_group(std::uint32_t i, std::uint32_t first, std::uint32_t last,
                                          const Visit& visit) const {
     for (std::uint32_t k = first; k < last; k += kAtATime) {
-      std::uint32_t mask = near_mask(i, k);
-      if (last - k < kAtATime) mask &= (1U << (last - k)) - 1;
-      visit(k, mask);
+      const std::uint64_t asked = (std::uint64_t{1} << std::min(last - k, kAtATime)) - 1;
+      const std::uint64_t me = std::uint64_t{1} << std::min(i - k, 63U);
+      visit(k, near_mask(i, k) & static_cast<std::uint32_t>(asked & ~me));
     }
   }
-  /// 1: place k is near to place i; else 0.
+  /// 1: place k is near to place i, and another one; else 0.
   [[nodiscard]] std::uint32_t near(std::uint32_t i, std::uint32_t k) const {
-    return near_mask(i, k) & 1U;
+    return i == k ? 0 : near_mask(i, k) & 1U;
   }
 
  private:
