@@ -77,7 +77,8 @@ class Approach {
     const Lanes square = fused(ux, ux, uy * uy);
     const Lanes gap = fused(dx, dx, fused(dy, dy, -(reach * reach)));
     const Lanes discriminant = fused(along, along, -(square * gap));
-    const Lanes time = (-along - square_root(discriminant)) / square;
+    // The quotient does not wait for the root.
+    const Lanes time = (-along - square_root(discriminant)) * (all(1.0) / square);
     // They still come nearer, or all but.
     const Lanes nearer = fused(square, now, along) - slack_ * (absolute(ux) + absolute(uy));
     return ((discriminant > zero) & (nearer < zero)) ? time

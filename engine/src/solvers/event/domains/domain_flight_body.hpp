@@ -64,12 +64,17 @@ template <class P>
   track.square = std::max(track.square, dx * dx + dy * dy);
 }
 
-// What gravity bends a flight by adds to that.
 template <class P>
-float DomainLoop<P>::displacement(std::size_t k) {
+Vec<double> DomainLoop<P>::last_place(std::size_t k) const {
+  if (sides_[k].fixed) return {paths_[k].x, paths_[k].y};
+  return place(static_cast<Slot>(k), window_.until);
+}
+
+// What gravity bends a flight by adds to the places that were noted.
+template <class P>
+float DomainLoop<P>::displacement(std::size_t k, const Vec<double>& last) {
   if (sides_[k].fixed) return 0;
-  const Vec<double> at = place(static_cast<Slot>(k), window_.until);
-  note_place(k, at.x, at.y);
+  note_place(k, last.x, last.y);
   return static_cast<float>((std::sqrt(static_cast<double>(tracks_[k].square)) + bend_) *
                             (1 + 0x1p-16));
 }

@@ -93,8 +93,10 @@ class DomainLoop {
   // Where there is a halo.
   /// Of everything that has happened to the ball in the window.
   [[nodiscard]] std::uint64_t history(std::size_t k) const { return tracks_[k].history; }
-  /// How far it may have been from where it was at the start of the window.
-  [[nodiscard]] float displacement(std::size_t k);
+  /// Where it is at the end of the window, from the middle of the domain.
+  [[nodiscard]] Vec<double> last_place(std::size_t k) const;
+  /// How far it may have been from where it was at the start of the window; `last`: its last place.
+  [[nodiscard]] float displacement(std::size_t k, const Vec<double>& last);
   /// From what the domain owns to where the ball was at the start; its radius, where it is larger
   /// than normal, taken off.
   [[nodiscard]] float distance(std::size_t k) const { return tracks_[k].distance; }

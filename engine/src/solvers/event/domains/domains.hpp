@@ -173,8 +173,8 @@ class Domains {
   std::vector<double> spins_;
   std::vector<double> next_spins_;
   std::vector<Outcome> outcomes_;
-  std::vector<Index> block_of_;
-  std::vector<Index> starts_;  ///< of each block
+  std::vector<Index> block_of_;  ///< of each of next_, where blocks_known_
+  std::vector<Index> starts_;    ///< of each block
   struct Large {
     Index memory;
     int block;
@@ -190,8 +190,9 @@ class Domains {
   FixedTime longest_ = 1;  ///< no window is longer
   FixedTime wanted_longest_ = kNever;
   bool counted_ = false;
-  bool open_ = false;  ///< one domain: its window is not at its end
-  bool full_ = false;  ///< it is not the aim that ends the window
+  bool blocks_known_ = false;  ///< their owners told
+  bool open_ = false;          ///< one domain: its window is not at its end
+  bool full_ = false;          ///< it is not the aim that ends the window
   bool by_one_loop_ = false;
   bool stuck_ = false;
   double speed_ = 0;  ///< how far the balls of a window went, by its time: the farthest

@@ -198,6 +198,7 @@ void Domains<P>::limit_window() {
 
 template <class P>
 void Domains<P>::solve_by_one_loop() {
+  blocks_known_ = false;
   const std::size_t n = flights_.size();
   std::vector<Disk> disks(n);
   for (std::size_t k = 0; k < n; ++k) disks[k] = flights_[k].disk();

@@ -19,6 +19,12 @@ template <class P>
 void Domains<P>::count_blocks(Share share) {
   std::vector<Index>& counts = workspaces_[share.index].counts;
   counts.assign(blocks_->all(), 0);
+  if (blocks_known_) {
+    for (std::size_t k = share.begin(next_.size()); k < share.end(next_.size()); ++k) {
+      ++counts[block_of_[k]];
+    }
+    return;
+  }
   const bool bends = motion_->bends();
   for (std::size_t k = share.begin(next_.size()); k < share.end(next_.size()); ++k) {
     const BlockFlight& flight = next_[k];
@@ -196,7 +202,10 @@ void Domains<P>::keep(Region& region, DomainLoop<P>& domain) {
       next_[memory] = flight;
       if (!spins_.empty()) next_spins_[memory] = *domain.spin(k);
       if (alone()) continue;
-      outcomes_[memory] = {domain.history(k), domain.displacement(k)};
+      const Vec<double> at = domain.last_place(k);
+      const std::array<double, 2>& middle = domain.window().middle;
+      block_of_[memory] = blocks_->at(middle[0] + at.x, middle[1] + at.y);
+      outcomes_[memory] = {domain.history(k), domain.displacement(k, at)};
       region.displacement = std::max(region.displacement, outcomes_[memory].displacement);
       region.radius = std::max(region.radius, motion_->species(flight).radius);
     } else {
@@ -244,6 +253,7 @@ std::size_t Domains<P>::judge() {
     tried_again_ += to_solve_.size();
     return kSolve;
   }
+  blocks_known_ = true;
   double halves = 0;
   for (Region& region : regions_) {
     add_tally(region.tally);

@@ -9,7 +9,7 @@
 namespace carom::event {
 
 // A domain has about so many balls; below the second number and with one worker there is one.
-inline constexpr double kBallsOfDomain = 5000;
+inline constexpr double kBallsOfDomain = 3500;
 inline constexpr std::size_t kBallsOfOneDomain = 20000;
 // The skin of lists, by the mean diameter and the gap between neighbours.
 inline constexpr double kSkinOfDiameter = 0.3;
@@ -128,6 +128,7 @@ void Domains<P>::decompose() {
   wanted = std::max(wanted, workers_);
   regions_.clear();
   to_solve_.clear();
+  blocks_known_ = false;
   if (wanted == 1) {
     regions_.resize(1);
     return;
