@@ -247,8 +247,14 @@ void DomainLoop<P>::list_all() {
 template <class P>
 void DomainLoop<P>::first_events() {
   const auto n = static_cast<std::uint32_t>(flights_.size());
-  for (std::uint32_t k = 0; k < n && !unusual_; ++k) {
-    if (!sides_[k].fixed) look_ahead(static_cast<Slot>(k), window_.from, 0);
+  for (std::uint32_t k = 0; k < n && !unusual_; k += 2) {
+    const auto i = static_cast<Slot>(k);
+    const auto j = static_cast<Slot>(std::min(k + 1, n - 1));
+    const Approach::Earliest of_i = earliest(i, 0);
+    const Approach::Earliest of_j = earliest(j, 0);
+    if (!sides_[i].fixed) keep_bound(i, of_i.first, of_i.second, of_i.ball, window_.from);
+    if (i == j || sides_[j].fixed) continue;
+    keep_bound(j, of_j.first, of_j.second, of_j.ball, window_.from);
   }
 }
 

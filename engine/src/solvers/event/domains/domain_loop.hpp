@@ -184,7 +184,6 @@ class DomainLoop {
   [[nodiscard]] double exit(Slot i, FixedTime now) const;
   void predict(Slot i, FixedTime now);
   void predict_both(Slot i, Slot j, FixedTime now);
-  void look_ahead(Slot i, FixedTime now, double since);
   [[nodiscard]] Approach::Earliest earliest(Slot i, double since) const;
   [[nodiscard]] double straightened(double since) const;
   void settle(Slot i, Meeting<P> best, FixedTime now);
@@ -224,8 +223,9 @@ class DomainLoop {
   HugeVector<Track> tracks_;  ///< where there is a halo
   HugeVector<Index> memories_;
   std::vector<double> spins_;
-  std::vector<double> radii_;  ///< where they differ
-  std::vector<Slot> large_;    ///< balls larger than normal
+  std::vector<double> radii_;                        ///< where they differ
+  std::vector<Slot> large_;                          ///< balls larger than normal
+  std::vector<Slot> found_ = std::vector<Slot>(64);  ///< by `renew`
   NearLists lists_;
   CellChains cells_;
   BucketQueue queue_;

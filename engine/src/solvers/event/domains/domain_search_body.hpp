@@ -38,8 +38,9 @@ template <class P>
   const double my_radius = radius(i);
   const double same = 2 * my_radius + near_;
   const bool wraps = window_.wraps[0] || window_.wraps[1];
+  std::vector<Slot>& near = found_;
+  std::size_t count = 0;
   const auto try_link = [&](Slot k) {
-    if (k == i) return;
     double x = double{sides_[k].x} - side.x;
     double y = double{sides_[k].y} - side.y;
     if (wraps) {
@@ -47,7 +48,10 @@ template <class P>
       if (window_.wraps[1]) y -= periods_[1] * std::rint(y * per_period_[1]);
     }
     const double reach = mixed_ ? my_radius + radii_[k] + near_ : same;
-    if (x * x + y * y < reach * reach) link(i, k);
+    // Whether it is near is known late: no branch waits for that.
+    if (count == near.size()) near.resize(2 * count);
+    near[count] = k;
+    count += x * x + y * y < reach * reach ? 1U : 0U;
   };
   if (my_radius > normal_radius_) {
     for (std::size_t k = 0; k < flights_.size(); ++k) try_link(static_cast<Slot>(k));
@@ -60,6 +64,9 @@ template <class P>
     cells_.each_near(cell, try_link);
     for (const Slot k : large_) try_link(k);
   }
+  for (std::size_t k = 0; k < count; ++k) {
+    if (near[k] != i) link(i, near[k]);
+  }
   predict(i, now);
 }
 
@@ -70,7 +77,8 @@ template <class P>
   const double since = seconds(now);
   if (since > sides_[i].limit) return;
   ++tally_.predictions;
-  look_ahead(i, now, straightened(since));
+  const Approach::Earliest found = earliest(i, straightened(since));
+  keep_bound(i, found.first, found.second, found.ball, now);
 }
 
 // Both at once: what one waits for, the other has time to do.
@@ -106,12 +114,6 @@ template <class P>
                                                                          double since) const {
   return approach_.earliest(approach_.seer(paths_[i], i), paths_.data(), lists_.items(i),
                             lists_.size(i), all(since));
-}
-
-template <class P>
-[[gnu::always_inline]] inline void DomainLoop<P>::look_ahead(Slot i, FixedTime now, double since) {
-  const Approach::Earliest found = earliest(i, since);
-  keep_bound(i, found.first, found.second, found.ball, now);
 }
 
 // `first`, with `partner`, and `others`: as the bounds of Approach.

@@ -159,6 +159,7 @@ class Domains {
   double normal_radius_ = 0;
   double spacing_ = 1;
   double skin_ = 1;
+  double balls_of_domain_ = 1;
   std::size_t workers_ = 1;
   std::size_t movers_ = 0;
 

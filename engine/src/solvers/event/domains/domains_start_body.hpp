@@ -8,8 +8,11 @@
 
 namespace carom::event {
 
-// A domain has about so many balls; below the second number and with one worker there is one.
-inline constexpr double kBallsOfDomain = 3500;
+// A domain has about so many balls where they are dense, and up to so many more where there is room
+// between them, as halos are wide then.
+inline constexpr double kBallsOfDomain = 3200;
+inline constexpr double kMoreOfDomain = 5500;
+// Below so many balls and with one worker there is one domain.
 inline constexpr std::size_t kBallsOfOneDomain = 20000;
 // The skin of lists, by the mean diameter and the gap between neighbours.
 inline constexpr double kSkinOfDiameter = 0.3;
@@ -76,6 +79,7 @@ void Domains<P>::choose_radii(const std::vector<Disk>& flights) {
     if (count[k] > few || all_species[k].radius < mean) break;
     few -= count[k];
   }
+  balls_of_domain_ = kBallsOfDomain + kMoreOfDomain * std::max(1 - mean / spacing_, 0.0);
   skin_ = kSkinOfDiameter * mean + kSkinOfGap * std::max(spacing_ - mean, 0.0);
   // Of two that are listed no image but the nearest may come near.
   for (const double period : motion_->rules().domain.period) {
@@ -123,7 +127,7 @@ void Domains<P>::decompose() {
   const carom::Domain& box = motion_->rules().domain;
   std::size_t wanted = 1;
   if (n >= kBallsOfOneDomain) {
-    wanted = static_cast<std::size_t>(static_cast<double>(n) / kBallsOfDomain);
+    wanted = static_cast<std::size_t>(static_cast<double>(n) / balls_of_domain_);
   }
   wanted = std::max(wanted, workers_);
   regions_.clear();

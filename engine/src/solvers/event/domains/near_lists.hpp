@@ -121,11 +121,8 @@ class NearLists {
       remove_from_long(list, other);
       return;
     }
-    for (std::uint32_t k = 0; k < list.size; ++k) {
-      if (list.item[k] != other) continue;
-      list.item[k] = list.item[--list.size];
-      return;
-    }
+    const std::uint32_t at = find(list, other);
+    if (at < list.size) list.item[at] = list.item[--list.size];
   }
 
   void clear(Slot ball) {
@@ -146,6 +143,20 @@ class NearLists {
     Slot item[kShort]{};
     Slot size = 0;  ///< kLong: item[0] is the number of a long list
   };
+
+  // Where the ball is in a short list; no less than its size: nowhere.
+  [[nodiscard]] static std::uint32_t find(const List& list, Slot ball) {
+#if defined(__AVX2__)
+    const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(&list));
+    const __m256i same = _mm256_cmpeq_epi16(all, _mm256_set1_epi16(static_cast<short>(ball)));
+    return static_cast<std::uint32_t>(
+               std::countr_zero(static_cast<std::uint32_t>(_mm256_movemask_epi8(same)))) /
+           2;
+#else
+    return static_cast<std::uint32_t>(std::find(list.item, list.item + list.size, ball) -
+                                      list.item);
+#endif
+  }
 
   [[nodiscard]] std::uint32_t size_of_long(const List& list) const {
     return static_cast<std::uint32_t>(long_[list.item[0]].size()) - kAhead;
