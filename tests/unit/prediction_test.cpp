@@ -42,8 +42,10 @@ struct Balls {
     constexpr int kSide = 9;
     for (int k = 0; k < kSide * kSide; ++k) {
       Disk disk;
-      disk.x = 1.3 * (k % kSide - kSide / 2) + 0.1 * std::tanh(normal(random));
-      disk.y = 1.3 * (k / kSide - kSide / 2) + 0.1 * std::tanh(normal(random));
+      const int column = k % kSide - kSide / 2;
+      const int row = k / kSide - kSide / 2;
+      disk.x = 1.3 * column + 0.1 * std::tanh(normal(random));
+      disk.y = 1.3 * row + 0.1 * std::tanh(normal(random));
       disk.species = static_cast<Index>(k % 2);
       disk.vx = 9 * normal(random);
       disk.vy = 9 * normal(random);

@@ -89,8 +89,9 @@ TEST(TouchSearch, FindsAllThatCanBeReachedOverContacts) {
     std::vector<Place> places;
     for (int k = 0; k < 100; ++k) {
       if (random() % 3 == 0) continue;  // a lattice of distance 1 with holes
-      places.push_back({static_cast<double>(k % 10) - 4.5, static_cast<double>(k / 10) - 4.5,
-                        random() % 8 == 0});
+      const int row = k / 10;
+      places.push_back(
+          {static_cast<double>(k % 10) - 4.5, static_cast<double>(row) - 4.5, random() % 8 == 0});
     }
     Balls balls(places);
     for (Index first = 0; first < balls.disks.size(); first += 7) {
