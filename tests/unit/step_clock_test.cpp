@@ -34,7 +34,7 @@ TEST(StepClock, StepsAtMultiplesOfItsStepEachOnceAtMost) {
     ASSERT_EQ(clock.next(), next);
     now = last = next;
     clock.take();
-    now += random() % 5;
+    now += static_cast<FixedTime>(random() % 5);
     if (round % 50 != 49) continue;
     const FixedTime by = last;
     clock.rebase(by);
