@@ -97,27 +97,22 @@ class Approach {
                                                       Lanes now) const {
     const Lanes never = all(std::numeric_limits<double>::infinity());
     const Lanes numbers{0, 1, 2, 3};
-    const Lanes later_numbers{4, 5, 6, 7};
-    Lanes left = all(static_cast<double>(count));
-    Lanes first = never;
-    Lanes second = never;
-    WholeLanes groups{};
-    // Two groups at a time: mostly they are all there are.
-    std::uint32_t k = 0;
-    do {
-      Lanes time = bounds(me, paths, others + k, now);
-      Lanes later = bounds(me, paths, others + k + kLanes, now);
-      time = numbers < left ? time : never;
-      later = later_numbers < left ? later : never;
-      left -= 2.0 * kLanes;
+    const auto group = [&](std::uint32_t k, Lanes numbers_of_group) {
+      const Lanes time = bounds(me, paths, others + k, now);
+      return numbers_of_group < all(static_cast<double>(count)) ? time : never;
+    };
+    // Two groups at once: mostly they are all there are.
+    const Lanes early = group(0, numbers);
+    const Lanes late = group(kLanes, Lanes{4, 5, 6, 7});
+    Lanes first = lesser(late, early);
+    Lanes second = greater(late, early);
+    WholeLanes groups = late < early ? all(std::int64_t{kLanes}) : WholeLanes{};
+    for (std::uint32_t k = 2 * kLanes; k < count; k += kLanes) {
+      const Lanes time = group(k, numbers + static_cast<double>(k));
       second = lesser(second, greater(first, time));
       groups = time < first ? all(std::int64_t{k}) : groups;
       first = lesser(time, first);
-      second = lesser(second, greater(first, later));
-      groups = later < first ? all(std::int64_t{k} + kLanes) : groups;
-      first = lesser(later, first);
-      k += 2 * kLanes;
-    } while (k < count);
+    }
     const double least_time = least(first);
     const std::uint32_t lane = lane_of(first, least_time);
     alignas(32) std::int64_t group_of_lane[kLanes];
