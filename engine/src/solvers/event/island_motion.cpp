@@ -13,4 +13,10 @@ double approach(const IslandMotion& island, std::size_t contact) {
   return -sharp_dot(c.normal, velocity(c.b) - velocity(c.a));
 }
 
+void stop_at(ConeBody& body, const ConeContact& wall) {
+  const bool x = wall.normal.x != 0;
+  double& v = x ? body.velocity.x : body.velocity.y;
+  if ((x ? wall.normal.x : wall.normal.y) * v > 0) v = 0;
+}
+
 }  // namespace carom::event

@@ -21,4 +21,7 @@ struct IslandMotion {
 /// How fast a contact's bodies approach.
 [[nodiscard]] double approach(const IslandMotion& island, std::size_t contact);
 
+/// Takes what a body has of speed towards the wall of a contact.
+void stop_at(ConeBody& body, const ConeContact& wall);
+
 }  // namespace carom::event

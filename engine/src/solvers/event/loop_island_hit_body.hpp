@@ -204,8 +204,7 @@ void EventLoop<P>::put_on_walls(FoundIsland& island) const {
     const std::size_t axis = (wall - kWalls) / 2;
     put_at(island, island.places[a], axis, motion_.wall(disk, island.places[a], wall).stop,
            motion_.species(disk).inverse_mass);
-    double& v = axis == 0 ? island.bodies[a].velocity.x : island.bodies[a].velocity.y;
-    if ((axis == 0 ? c.normal.x : c.normal.y) * v > 0) v = 0;
+    stop_at(island.bodies[a], c);
   }
 }
 

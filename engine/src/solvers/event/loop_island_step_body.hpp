@@ -134,6 +134,10 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
     const Disk& disk = disks_[island.members[a]];
     put_at(island, island.places[a], x ? 0 : 1, motion_.wall(disk, island.places[a], wall).stop,
            motion_.species(disk).inverse_mass);
+    // It does not go into the wall, not even by what has been left unsolved.
+    if (island.support[a] == kStepped && approach(island, k) < 4 * goal) {
+      stop_at(island.bodies[a], c);
+    }
     // Only walls carry it: it slides on, or rolls, if it does not come to rest.
     if (on_balls[a] != 0 || approaches[a] != 0 || stay[a] != 0) continue;
     const bool rests = island.support[a] == kResting && !motion_.elastic();
