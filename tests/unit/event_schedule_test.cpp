@@ -20,7 +20,7 @@ Rules rules() {
   return rules;
 }
 
-struct Schedule : ::testing::Test {
+struct ScheduleOfEvents : ::testing::Test {
   static constexpr Index kBalls = 20;
   static constexpr Index kFixed = kBalls;
   Motion<Ballistic> motion{rules()};
@@ -38,7 +38,7 @@ struct Schedule : ::testing::Test {
   }
 };
 
-TEST_F(Schedule, KeepsAMeetingWithBothBalls) {
+TEST_F(ScheduleOfEvents, KeepsAMeetingWithBothBalls) {
   schedule.link(1, {7, 2});
   EXPECT_EQ(disks[1].partner, 2U);
   EXPECT_EQ(disks[2].partner, 1U);
@@ -53,7 +53,7 @@ TEST_F(Schedule, KeepsAMeetingWithBothBalls) {
 }
 
 // 2 is taken from 1, which is looked at again when they would have met.
-TEST_F(Schedule, ABallWhosePartnerIsTakenIsDueAtTheTimeTheyWouldHaveMet) {
+TEST_F(ScheduleOfEvents, ABallWhosePartnerIsTakenIsDueAtTheTimeTheyWouldHaveMet) {
   schedule.link(1, {7, 2});
   schedule.link(2, {5, 3});
   EXPECT_EQ(disks[1].partner, kUnknown);
@@ -65,7 +65,7 @@ TEST_F(Schedule, ABallWhosePartnerIsTakenIsDueAtTheTimeTheyWouldHaveMet) {
   EXPECT_EQ(entry->ball, 1U);
 }
 
-TEST_F(Schedule, ForgetsWhatIsKnownOfABall) {
+TEST_F(ScheduleOfEvents, ForgetsWhatIsKnownOfABall) {
   schedule.link(1, {7, kWalls});
   schedule.forget(1);
   EXPECT_EQ(disks[1].meets, kNever);
@@ -73,7 +73,7 @@ TEST_F(Schedule, ForgetsWhatIsKnownOfABall) {
 }
 
 // Held against the least of all times that are known, at random.
-TEST_F(Schedule, GivesWhatIsDueInTheOrderOfTime) {
+TEST_F(ScheduleOfEvents, GivesWhatIsDueInTheOrderOfTime) {
   std::mt19937 random(9);
   const auto below = [&random](unsigned n) { return static_cast<Index>(random() % n); };
   FixedTime now = 0;

@@ -62,13 +62,12 @@ class JointImpact {
 
   JointReport resolve() {
     const bool elastic = is_lossless(graph_);
-    const int few = 16 + 4 * static_cast<int>(graph_.size());
     const int most = most_rounds(graph_);
-    const int soon = std::min(most, few);
+    const int patience = std::min(most, kPatience);
     const std::vector<Vec<S>> start = elastic ? motion_.velocities() : std::vector<Vec<S>>{};
     bool stopped = false;
     while (const auto approaching = motion_.approaching(true)) {
-      const bool looks = elastic && report_.rounds == soon;
+      const bool looks = elastic && report_.rounds == patience;
       if (report_.rounds == most || (looks && is_too_narrow(graph_, most))) {
         if (elastic) report_.jammed = static_cast<int>(count(*approaching));
         stop_everything();

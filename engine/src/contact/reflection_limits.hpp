@@ -17,8 +17,10 @@ namespace carom::event {
 /// where balls are wedged in between walls and bounce for ever in no time at all.
 inline constexpr double kMostWork = 1 << 18;
 inline constexpr double kFewRounds = 128;
-/// What may take more rounds than this, and than it may cost, is not waited for.
+/// What may take more rounds than this, and than it may cost, is not waited for; but only after so
+/// many rounds as `kPatience`: nearly all that is in a narrow wedge comes out of it in fewer.
 inline constexpr int kNarrow = 1 << 12;
+inline constexpr int kPatience = 1 << 9;
 
 /// Whether nothing is lost in any impact of the group.
 template <class S>
