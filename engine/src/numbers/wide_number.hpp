@@ -2,9 +2,7 @@
 
 #include <mpfr.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -20,111 +18,77 @@ namespace carom {
 /// copy.
 /// Holds: results have the precision in scope.
 /// Threads: the precision is each thread's own; numbers are plain values.
+///
+/// Each operation is a call: inlined, they made sources that use it several times as long to
+/// compile, and the numbers no faster.
 class WideNumber {
  public:
   static constexpr int kMostBits = 384;
 
-  WideNumber() { start(MPFR_ZERO_KIND); }
-  WideNumber(double value) : WideNumber() {  // NOLINT(google-explicit-constructor): a number
-    mpfr_set_d(it(), value, MPFR_RNDN);
-  }
+  WideNumber();
+  WideNumber(double value);  // NOLINT(google-explicit-constructor): a number
   template <std::integral Whole>
-  WideNumber(Whole value) : WideNumber() {  // NOLINT(google-explicit-constructor)
-    mpfr_set_si(it(), static_cast<long>(value), MPFR_RNDN);
-  }
+  WideNumber(Whole value)  // NOLINT(google-explicit-constructor)
+      : WideNumber(Integer{static_cast<long>(value)}) {}
   /// REQUIRES: a decimal number.
-  explicit WideNumber(const std::string& text) : WideNumber() {
-    mpfr_set_str(it(), text.c_str(), 10, MPFR_RNDN);
-  }
-  WideNumber(const WideNumber& other) : limbs_(other.limbs_) { take(other); }
-  WideNumber& operator=(const WideNumber& other) {
-    limbs_ = other.limbs_;
-    take(other);
-    return *this;
-  }
+  explicit WideNumber(const std::string& text);
+  WideNumber(const WideNumber& other);
+  WideNumber& operator=(const WideNumber& other);
   ~WideNumber() = default;
 
-  static WideNumber infinity() {
-    WideNumber result;
-    result.start(MPFR_INF_KIND);
-    return result;
-  }
+  static WideNumber infinity();
   /// The bits of the precision in scope.
   static int bits() { return bits_; }
   /// Decimal digits that are read back to the same bits.
   [[nodiscard]] std::string text() const;
 
-  explicit operator double() const { return mpfr_get_d(it(), MPFR_RNDN); }
-  explicit operator std::int64_t() const { return mpfr_get_si(it(), MPFR_RNDZ); }
+  explicit operator double() const;
+  explicit operator std::int64_t() const;
 
-  friend WideNumber operator-(const WideNumber& a) { return of(mpfr_neg, a); }
-  friend WideNumber operator+(const WideNumber& a, const WideNumber& b) {
-    return of(mpfr_add, a, b);
-  }
-  friend WideNumber operator-(const WideNumber& a, const WideNumber& b) {
-    return of(mpfr_sub, a, b);
-  }
-  friend WideNumber operator*(const WideNumber& a, const WideNumber& b) {
-    return of(mpfr_mul, a, b);
-  }
-  friend WideNumber operator/(const WideNumber& a, const WideNumber& b) {
-    return of(mpfr_div, a, b);
-  }
+  friend WideNumber operator-(const WideNumber& a);
+  friend WideNumber operator+(const WideNumber& a, const WideNumber& b);
+  friend WideNumber operator-(const WideNumber& a, const WideNumber& b);
+  friend WideNumber operator*(const WideNumber& a, const WideNumber& b);
+  friend WideNumber operator/(const WideNumber& a, const WideNumber& b);
   WideNumber& operator+=(const WideNumber& b) { return *this = *this + b; }
   WideNumber& operator-=(const WideNumber& b) { return *this = *this - b; }
   WideNumber& operator*=(const WideNumber& b) { return *this = *this * b; }
   WideNumber& operator/=(const WideNumber& b) { return *this = *this / b; }
 
-  friend bool operator==(const WideNumber& a, const WideNumber& b) {
-    return mpfr_equal_p(a.it(), b.it()) != 0;
-  }
-  friend bool operator<(const WideNumber& a, const WideNumber& b) {
-    return mpfr_less_p(a.it(), b.it()) != 0;
-  }
+  friend bool operator==(const WideNumber& a, const WideNumber& b);
+  friend bool operator<(const WideNumber& a, const WideNumber& b);
   friend bool operator>(const WideNumber& a, const WideNumber& b) { return b < a; }
-  friend bool operator<=(const WideNumber& a, const WideNumber& b) {
-    return mpfr_lessequal_p(a.it(), b.it()) != 0;
-  }
+  friend bool operator<=(const WideNumber& a, const WideNumber& b);
   friend bool operator>=(const WideNumber& a, const WideNumber& b) { return b <= a; }
 
-  friend WideNumber sqrt(const WideNumber& a) { return of(mpfr_sqrt, a); }
-  friend WideNumber exp(const WideNumber& a) { return of(mpfr_exp, a); }
-  friend WideNumber log1p(const WideNumber& a) { return of(mpfr_log1p, a); }
-  friend WideNumber abs(const WideNumber& a) { return of(mpfr_abs, a); }
-  friend WideNumber floor(const WideNumber& a) { return of(mpfr_rint_floor, a); }
-  friend WideNumber rint(const WideNumber& a) { return of(mpfr_rint, a); }
-  friend WideNumber ldexp(const WideNumber& a, int exponent) {
-    WideNumber result;
-    mpfr_mul_2si(result.it(), a.it(), exponent, MPFR_RNDN);
-    return result;
-  }
+  friend WideNumber sqrt(const WideNumber& a);
+  friend WideNumber exp(const WideNumber& a);
+  friend WideNumber log1p(const WideNumber& a);
+  friend WideNumber abs(const WideNumber& a);
+  friend WideNumber floor(const WideNumber& a);
+  friend WideNumber rint(const WideNumber& a);
+  friend WideNumber ldexp(const WideNumber& a, int exponent);
   /// The exponent e of |a| = m 2^e, 1 <= m < 2.
   /// REQUIRES: not zero, finite.
-  friend int ilogb(const WideNumber& a) { return static_cast<int>(mpfr_get_exp(a.it())) - 1; }
+  friend int ilogb(const WideNumber& a);
 
  private:
   friend class WidePrecision;
+  struct Integer {
+    long value;
+  };
   static constexpr std::size_t kLimbs = kMostBits / (8 * sizeof(mp_limb_t));
+
+  explicit WideNumber(Integer whole);
 
   mpfr_ptr it() { return &value_; }
   [[nodiscard]] mpfr_srcptr it() const { return &value_; }
-  void start(int kind) { mpfr_custom_init_set(it(), kind, 0, bits_, limbs_.data()); }
-  void take(const WideNumber& other) {
-    value_ = other.value_;
-    mpfr_custom_move(it(), limbs_.data());
-  }
+  void start(int kind);
+  void take(const WideNumber& other);
   template <class Function>
-  static WideNumber of(const Function& function, const WideNumber& a) {
-    WideNumber result;
-    function(result.it(), a.it(), MPFR_RNDN);
-    return result;
-  }
+  static WideNumber of(const Function& function, const WideNumber& a);
   template <class Function>
-  static WideNumber of(const Function& function, const WideNumber& a, const WideNumber& b) {
-    WideNumber result;
-    function(result.it(), a.it(), b.it(), MPFR_RNDN);
-    return result;
-  }
+  static WideNumber of(const Function& function, const WideNumber& a, const WideNumber& b);
 
   static inline thread_local int bits_ = 128;  // NOLINT(readability-identifier-naming)
 
