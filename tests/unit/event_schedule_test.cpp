@@ -27,7 +27,7 @@ struct ScheduleOfEvents : ::testing::Test {
   HugeVector<Disk> disks = HugeVector<Disk>(kBalls + 1);
   EventSchedule<Ballistic> schedule{motion, disks};
 
-  Schedule() {
+  ScheduleOfEvents() {
     disks[kFixed].species = 1;
     for (Index i = 0; i < kBalls; ++i) disks[i].vx = 1;
     schedule.reset(0, 100);
