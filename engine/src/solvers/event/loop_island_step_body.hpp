@@ -134,8 +134,9 @@ void EventLoop<P>::step_island(FoundIsland& island, At now) {
     const Disk& disk = disks_[island.members[a]];
     put_at(island, island.places[a], x ? 0 : 1, motion_.wall(disk, island.places[a], wall).stop,
            motion_.species(disk).inverse_mass);
-    // It does not go into the wall, not even by what has been left unsolved.
-    if (island.support[a] == kStepped && approach(island, k) < 4 * goal) {
+    // It does not go into a wall that takes speed, not even by what has been left unsolved.
+    const bool takes = motion_.rules().wall_restitution < 1;
+    if (takes && island.support[a] == kStepped && approach(island, k) < 4 * goal) {
       stop_at(island.bodies[a], c);
     }
     // Only walls carry it: it slides on, or rolls, if it does not come to rest.
