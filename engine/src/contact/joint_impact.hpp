@@ -63,11 +63,11 @@ class JointImpact {
   JointReport resolve() {
     const bool elastic = is_lossless(graph_);
     const int most = most_rounds(graph_);
-    const int patience = std::min(most, kPatience);
+    const int asked = std::min(most, patience<S>(graph_.size()));
     const std::vector<Vec<S>> start = elastic ? motion_.velocities() : std::vector<Vec<S>>{};
     bool stopped = false;
     while (const auto approaching = motion_.approaching(true)) {
-      const bool looks = elastic && report_.rounds == patience;
+      const bool looks = elastic && report_.rounds == asked;
       if (report_.rounds == most || (looks && is_too_narrow(graph_, most))) {
         if (elastic) report_.jammed = static_cast<int>(count(*approaching));
         stop_everything();

@@ -17,10 +17,16 @@ namespace carom::event {
 /// where balls are wedged in between walls and bounce for ever in no time at all.
 inline constexpr double kMostWork = 1 << 18;
 inline constexpr double kFewRounds = 128;
-/// What may take more rounds than this, and than it may cost, is not waited for; but only after so
-/// many rounds as `kPatience`: nearly all that is in a narrow wedge comes out of it in fewer.
+/// What may take more rounds than this, and than it may cost, is not waited for.
 inline constexpr int kNarrow = 1 << 12;
-inline constexpr int kPatience = 1 << 9;
+
+/// After how many rounds the angle of a group's wedge is asked.  In more digits than those of a
+/// double groups come apart out of narrower wedges, in more rounds.
+template <class S>
+[[nodiscard]] int patience(std::size_t contacts) {
+  const int rounds = 16 + 4 * static_cast<int>(contacts);
+  return kIsDouble<S> ? rounds : 16 * rounds;
+}
 
 /// Whether nothing is lost in any impact of the group.
 template <class S>
