@@ -12,7 +12,7 @@
 namespace carom::event {
 namespace {
 
-constexpr IslandStep kStep{{0, -1}, 1, 1};
+constexpr StepScale kStep{{0, -1}, 1, 1};
 
 struct Island : IslandMotion {
   DisjointSets sets;

@@ -12,7 +12,7 @@
 
 namespace carom::event {
 
-void hold_still(const IslandMotion& island, const IslandStep& step, DisjointSets& sets,
+void hold_still(const IslandMotion& island, const StepScale& step, DisjointSets& sets,
                 const std::vector<char>& carries, std::vector<char>& moves) {
   const std::size_t n = island.bodies.size();
   const auto find = [&sets](std::size_t k) { return sets.find(static_cast<std::uint32_t>(k)); };

@@ -11,8 +11,8 @@ namespace carom::event {
 // Which balls of an island that has been stepped move on, and which come to rest: rule 4 of
 // contact/rest_rules.hpp.  `sets`: of balls that carry each other; `moves`: by the number of a set.
 
-/// A step of islands.
-struct IslandStep {
+/// What gravity does in a step of islands.
+struct StepScale {
   Vec<double> pull;  ///< gravity
   double span;       ///< how far a speed of 1 goes in it, seconds; drag makes it shorter
   double speed;      ///< what gravity makes in it
@@ -20,7 +20,7 @@ struct IslandStep {
 
 /// What is slow comes to rest only where forces at its contacts hold it: what is pulled moves on.
 /// Of many balls, which creep until all contacts carry, slowness decides.  `carries`: by contact.
-void hold_still(const IslandMotion& island, const IslandStep& step, DisjointSets& sets,
+void hold_still(const IslandMotion& island, const StepScale& step, DisjointSets& sets,
                 const std::vector<char>& carries, std::vector<char>& moves);
 
 /// What is touched by something that moves on and comes nearer moves too.

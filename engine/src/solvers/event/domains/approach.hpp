@@ -48,9 +48,10 @@ class Approach {
             all(radii_ == nullptr ? 0 : radii_[ball])};
   }
 
+  // Lanes by reference: by value and not inlined, GCC 12 leaves some on the stack at every turn.
   /// Lower bounds for four others; infinite where they do not meet after `now`.
   [[nodiscard, gnu::always_inline]] Lanes bounds(const Seer& me, const Path* paths,
-                                                 const Slot* others, Lanes now) const {
+                                                 const Slot* others, const Lanes& now) const {
     const auto xy = [paths](Slot k) { return TwoLanes{paths[k].x, paths[k].y}; };
     const auto v = [paths](Slot k) { return TwoLanes{paths[k].vx, paths[k].vy}; };
     const Slot a = others[0];
@@ -94,10 +95,10 @@ class Approach {
   /// Of `count` others; behind the last, up to the next multiple of eight, are balls, too.
   [[nodiscard, gnu::always_inline]] Earliest earliest(const Seer& me, const Path* paths,
                                                       const Slot* others, std::uint32_t count,
-                                                      Lanes now) const {
+                                                      const Lanes& now) const {
     const Lanes never = all(std::numeric_limits<double>::infinity());
     const Lanes numbers{0, 1, 2, 3};
-    const auto group = [&](std::uint32_t k, Lanes numbers_of_group) {
+    const auto group = [&](std::uint32_t k, const Lanes& numbers_of_group) {
       const Lanes time = bounds(me, paths, others + k, now);
       return numbers_of_group < all(static_cast<double>(count)) ? time : never;
     };
