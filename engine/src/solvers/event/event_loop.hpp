@@ -81,7 +81,7 @@ class EventLoop {
 
   /// Takes these flights, the others are forgotten; `now` is not before any of their starts.
   /// `left`: the fixed ball at which each flight began, kUnknown where there is none; empty:
-  /// nowhere.  `spins`: of the balls, where the rules have spins; empty: 0.
+  /// at none.  `spins`: of the balls, where the rules have spins; empty: 0.
   void reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left = {},
              const std::vector<S>& spins = {});
   /// Everything up to `until` has happened then.

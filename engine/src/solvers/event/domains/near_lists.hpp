@@ -144,7 +144,7 @@ class NearLists {
     Slot size = 0;  ///< kLong: item[0] is the number of a long list
   };
 
-  // Where the ball is in a short list; no less than its size: nowhere.
+  // Where the ball is in a short list; no less than its size where it is not in it.
   [[nodiscard]] static std::uint32_t find(const List& list, Slot ball) {
 #if defined(__AVX2__)
     const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(&list));
