@@ -8,10 +8,13 @@
 #include <utility>
 
 #include "carom/simulation.hpp"
+#include "support/known_scene.hpp"
 #include "support/scenes.hpp"
 
 namespace carom {
 namespace {
+
+using test::after;
 
 constexpr double kGravity = 9.81;
 
@@ -37,12 +40,6 @@ Scene box(const std::vector<Ball>& balls, const Vec2& gravity = {0, -kGravity}) 
 Scene rough(Scene scene, double friction) {
   scene.effects.friction = Friction{friction, friction};
   return scene;
-}
-
-std::vector<Ball> after(const Scene& scene, double time) {
-  Simulation simulation(scene);
-  simulation.advance_to(time);
-  return simulation.state();
 }
 
 // A spin w at first: slips with mu g until v = r w, then rolls at w r / 3.

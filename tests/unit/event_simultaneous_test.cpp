@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solvers/event/event_loop.hpp"
+#include "support/flight_at.hpp"
 
 namespace carom::event {
 namespace {
@@ -17,21 +18,12 @@ Rules table(double width, double height) {
   return {Domain(box, true), FixedTimeClock(0.5), {0, 0}, true, 1, 1, {Species{}}};
 }
 
-Disk at(double x, double y, double vx = 0, double vy = 0) {
-  Disk disk;
-  disk.x = x;
-  disk.y = y;
-  disk.vx = vx;
-  disk.vy = vy;
-  return disk;
-}
-
 TEST(EventSimultaneous, a_cradle_passes_on_as_many_balls_as_come_in) {
   for (int coming = 1; coming <= 4; ++coming) {
     std::vector<Disk> disks;
     disks.reserve(5);
     for (int k = 0; k < 5; ++k) {
-      disks.push_back(k < coming ? at(k - 4.0, 0, 1) : at(k - 3.0, 0));
+      disks.push_back(k < coming ? flight_at(k - 4.0, 0, 1) : flight_at(k - 3.0, 0));
     }
     EventLoop<Ballistic> loop(table(40, 10));
     loop.reset(disks, 0);
@@ -45,7 +37,7 @@ TEST(EventSimultaneous, a_cradle_passes_on_as_many_balls_as_come_in) {
 
 TEST(EventSimultaneous, a_hit_into_an_exact_corner_reverses_exactly) {
   EventLoop<Ballistic> loop(table(8, 8));
-  loop.reset({at(0, 0, 3, 3)}, 0);
+  loop.reset({flight_at(0, 0, 3, 3)}, 0);
   loop.advance_to(loop.motion().rules().scale.ticks(1.5));
   EXPECT_EQ(loop.disks()[0].vx, -3);
   EXPECT_EQ(loop.disks()[0].vy, -3);
@@ -56,7 +48,7 @@ TEST(EventSimultaneous, a_hit_into_an_exact_corner_reverses_exactly) {
 
 TEST(EventSimultaneous, two_balls_that_hit_a_third_at_once_leave_as_mirror_images) {
   for (const bool swapped : {false, true}) {
-    std::vector<Disk> disks{at(-2, 0.75, 1), at(-2, -0.75, 1), at(0.3, 0)};
+    std::vector<Disk> disks{flight_at(-2, 0.75, 1), flight_at(-2, -0.75, 1), flight_at(0.3, 0)};
     if (swapped) std::swap(disks[0], disks[1]);
     EventLoop<Ballistic> loop(table(40, 10));
     loop.reset(disks, 0);
@@ -75,11 +67,11 @@ TEST(EventSimultaneous, two_balls_that_hit_a_third_at_once_leave_as_mirror_image
 
 // Fifteen balls in a touching triangle, struck on its axis.
 TEST(EventSimultaneous, a_struck_rack_stays_its_own_mirror_image_to_the_last_bit) {
-  std::vector<Disk> disks{at(-6, 0, 10)};
+  std::vector<Disk> disks{flight_at(-6, 0, 10)};
   std::vector<std::size_t> twin{0};
   for (int row = 0; row < 5; ++row) {
     const std::size_t first = disks.size();
-    for (int k = 0; k <= row; ++k) disks.push_back(at(row * std::sqrt(0.75), k - row / 2.0));
+    for (int k = 0; k <= row; ++k) disks.push_back(flight_at(row * std::sqrt(0.75), k - row / 2.0));
     for (int k = 0; k <= row; ++k) twin.push_back(first + static_cast<std::size_t>(row - k));
   }
   EventLoop<Ballistic> loop(table(20, 10));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solvers/event/physics.hpp"
+#include "support/flight_at.hpp"
 
 namespace carom::event {
 namespace {
@@ -29,13 +30,7 @@ struct Writing : ::testing::Test {
     return rules;
   }
   void add(double x, double y, double vx, double vy, Index species = 0) {
-    Disk disk;
-    disk.x = x;
-    disk.y = y;
-    disk.vx = vx;
-    disk.vy = vy;
-    disk.species = species;
-    disks.push_back(disk);
+    disks.push_back(flight_at(x, y, vx, vy, species));
   }
   /// What the ball does from now on.
   Disk turn(Index i, double vx, double vy) {

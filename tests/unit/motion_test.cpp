@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solvers/event/physics.hpp"
+#include "support/flight_at.hpp"
 
 namespace carom::event {
 namespace {
@@ -20,27 +21,17 @@ Rules rules() {
   return rules;
 }
 
-Disk disk(double x, double y, double vx, double vy, Index species = 0) {
-  Disk disk;
-  disk.x = x;
-  disk.y = y;
-  disk.vx = vx;
-  disk.vy = vy;
-  disk.species = species;
-  return disk;
-}
-
 TEST(Motion, OfAFallIsAParabola) {
   Rules falling = rules();
   falling.gravity = {0, -2};
   const Motion<Ballistic> motion(falling);
-  Disk thrown = disk(-1, 0, 1, 3);
+  Disk thrown = flight_at(-1, 0, 1, 3);
   thrown.start = falling.scale.ticks(1);
   const FixedTime now = falling.scale.ticks(3);
   EXPECT_DOUBLE_EQ(motion.place(thrown, now).x, 1);
   EXPECT_DOUBLE_EQ(motion.place(thrown, now).y, 2);  // 3 * 2 - 2^2
   EXPECT_DOUBLE_EQ(motion.velocity(thrown, now).y, -1);
-  EXPECT_DOUBLE_EQ(motion.place(disk(1, 1, 0, 0, 2), now).y, 1);  // a fixed one does not fall
+  EXPECT_DOUBLE_EQ(motion.place(flight_at(1, 1, 0, 0, 2), now).y, 1);  // a fixed one does not fall
 }
 
 // Dropped from h = 4.5 above where it touches the floor: after sqrt(2h / g), at sqrt(2gh), of which
@@ -51,7 +42,7 @@ TEST(Motion, ABallMeetsTheFloorAndBounces) {
     falling.gravity = {0, -pull};
     falling.wall_restitution = 0.5;
     const Motion<Ballistic> motion(falling);
-    Disk ball = disk(0, 0, 0, 0);
+    Disk ball = flight_at(0, 0, 0, 0);
     const Meeting<Ballistic> floor = motion.alone(ball);
     EXPECT_EQ(floor.partner, kWalls + 2);
     EXPECT_NEAR(falling.scale.seconds(floor.time), std::sqrt(9 / pull), 1e-14);
@@ -65,15 +56,15 @@ TEST(Motion, ABallMeetsTheFloorAndBounces) {
 
 TEST(Motion, TwoMeetWhenTheirDistanceIsThatOfTheirRadii) {
   const Motion<Ballistic> motion(rules());
-  const Disk left = disk(-2, 0, 3, 0);
-  const Disk right = disk(2, 0, -1, 0);
+  const Disk left = flight_at(-2, 0, 3, 0);
+  const Disk right = flight_at(2, 0, -1, 0);
   const FixedTime at = motion.pair_event(left, right);
   EXPECT_NEAR(motion.rules().scale.seconds(at), 3.0 / 4, 1e-14);
   EXPECT_EQ(motion.pair_event(right, left), at);
-  EXPECT_EQ(motion.pair_event(left, disk(2, 0, 4, 0)), kNever);
-  EXPECT_EQ(motion.pair_event(left, disk(2, 1.5, -1, 0)), kNever);  // it passes by
+  EXPECT_EQ(motion.pair_event(left, flight_at(2, 0, 4, 0)), kNever);
+  EXPECT_EQ(motion.pair_event(left, flight_at(2, 1.5, -1, 0)), kNever);  // it passes by
   // The same pair, one of which started its flight later.
-  Disk later = disk(1.5, 0, -1, 0);
+  Disk later = flight_at(1.5, 0, -1, 0);
   later.start = motion.rules().scale.ticks(0.5);
   EXPECT_NEAR(static_cast<double>(motion.pair_event(left, later) - at), 0, 4);
 }
@@ -83,8 +74,8 @@ TEST(Motion, AStrikeKeepsMomentumAndTakesWhatRestitutionSays) {
   Rules lossy = rules();
   lossy.restitution = 0.5;
   const Motion<Ballistic> motion(lossy);
-  Disk a = disk(0, 0, 3, 1);
-  Disk b = disk(1, 0, 0, 1, 1);
+  Disk a = flight_at(0, 0, 3, 1);
+  Disk b = flight_at(1, 0, 0, 1, 1);
   const auto strike = motion.strike(a, nullptr, b, nullptr, 0);
   EXPECT_NEAR(a.vx, 0, 1e-15);
   EXPECT_NEAR(b.vx, 1.5, 1e-15);
@@ -96,8 +87,8 @@ TEST(Motion, AStrikeKeepsMomentumAndTakesWhatRestitutionSays) {
 
 TEST(Motion, AFixedBallStaysWhereItIsStruck) {
   const Motion<Ballistic> motion(rules());
-  Disk a = disk(0, 0, 3, 1);
-  Disk peg = disk(1, 0, 0, 0, 2);
+  Disk a = flight_at(0, 0, 3, 1);
+  Disk peg = flight_at(1, 0, 0, 0, 2);
   EXPECT_TRUE(motion.fixed(peg));
   (void)motion.strike(a, nullptr, peg, nullptr, 0);
   EXPECT_EQ(a.vx, -3);
