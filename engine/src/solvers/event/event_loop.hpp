@@ -10,11 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "contact/cone_island.hpp"
-#include "contact/disjoint_sets.hpp"
 #include "contact/impact_log.hpp"
 #include "contact/joint_friction.hpp"
-#include "contact/rest_rules.hpp"
 #include "solvers/event/counts.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/ended_flights.hpp"
@@ -22,12 +19,15 @@
 #include "solvers/event/event_costs.hpp"
 #include "solvers/event/event_schedule.hpp"
 #include "solvers/event/flights_before.hpp"
-#include "solvers/event/found_island.hpp"
 #include "solvers/event/groups/path.hpp"
 #include "solvers/event/huge_pages.hpp"
 #include "solvers/event/impact_notes.hpp"
 #include "solvers/event/impact_writer.hpp"
-#include "solvers/event/island_rest.hpp"
+#include "solvers/event/islands/found_island.hpp"
+#include "solvers/event/islands/island_impact.hpp"
+#include "solvers/event/islands/island_impulses.hpp"
+#include "solvers/event/islands/island_search.hpp"
+#include "solvers/event/islands/island_stepping.hpp"
 #include "solvers/event/jam_watch.hpp"
 #include "solvers/event/motion.hpp"
 #include "solvers/event/nearing.hpp"
@@ -37,7 +37,6 @@
 #include "solvers/event/simultaneous_impact.hpp"
 #include "solvers/event/simultaneous_pairs.hpp"
 #include "solvers/event/step_clock.hpp"
-#include "solvers/event/stepped_energy.hpp"
 #include "solvers/event/ties.hpp"
 #include "solvers/event/touch_search.hpp"
 #include "state/totals.hpp"
@@ -47,8 +46,6 @@ namespace carom::event {
 /// Impacts of one ball at one instant of which later ones are not resolved together with the
 /// earlier ones.
 inline constexpr int kManyAtOnce = 256;
-/// How often what an island's contacts hold, and the energy it keeps, are seen to in turn.
-inline constexpr int kMostTurns = 32;
 
 /// Balls and their impacts in the order of time.
 ///
@@ -184,53 +181,19 @@ class EventLoop {
   // Contacts that rest: loop_rest_body.hpp.
   void start_resting(At now);
   void update_support(Index i);
+  void settle_pressed();
   void schedule_step(At now);
   void settle(Index i, At now);
   [[nodiscard]] bool is_of_island(const SimultaneousImpact& group, At now) const;
-  // The balls of an island and their contacts: loop_island_search_body.hpp.
-  void put_at(FoundIsland& island, Vec<S>& at, std::size_t axis, const S& stop,
-              const S& inverse_mass) const;
-  void join(FoundIsland& island, Index i, At now);
-  void gather(FoundIsland& island, At now, bool ahead);
-  void add_near(FoundIsland& island, std::size_t first, At now, bool joins);
-  void add_coming(FoundIsland& island, At now);  // loop_island_coming_body.hpp
-  static void put_in_order(FoundIsland& island);
-  /// Gives what was lost.
-  double fly_on(FoundIsland& island, At now);
-
-  // Impacts of islands: loop_island_hit_body.hpp.
-  /// What of an island meets at an instant.
-  struct Hits {
-    std::vector<char> stays;    ///< by member: it is of the island afterwards
-    std::vector<char> counted;  ///< by contact: it is an impact
-    std::vector<char> parts;    ///< by contact: it is one that bounces
-    double restitution = 1;
-    double fastest = 0;
-    double held = 0;  ///< energy of a jammed group that nothing of it can move with
-    bool bounces = false;
-    std::uint64_t walls = 0;
-    std::uint64_t balls = 0;
-  };
+  // Contact islands: loop_island_body.hpp.
   [[nodiscard]] bool is_hit_of_island(Index i, Index partner, At now) const;
+  /// `hits`: balls that meet something at the present instant, those of one group together.
   void hit_islands(std::vector<std::vector<Index>> hits, At now);
-  void settle_pressed();
-  void hit_island(FoundIsland& island, At now);
-  /// Whether the contact is one of a step, and not an impact to come; where balls lose energy, all
-  /// near ones are.
-  [[nodiscard]] bool lasts(const FoundIsland& island, std::size_t contact) const;
-  [[nodiscard]] Hits hits_of(const FoundIsland& island, At now) const;
-  void reflect_island(FoundIsland& island, Hits& hits);
-  void put_on_walls(FoundIsland& island) const;
-  void press(FoundIsland& island, double span, double goal, std::vector<double>& loads) const;
-  void hold_on(FoundIsland& island, double span, double goal, std::vector<double>& loads) const;
-  /// Whether the contact is held until the next step, where collisions are elastic.
-  [[nodiscard]] bool holds(const FoundIsland& island, std::size_t contact) const;
-  void keep_gaps(FoundIsland& island, double had, double span, double goal,
-                 std::vector<double>& loads) const;
-
-  // Steps of islands: loop_island_step_body.hpp.
   void step_islands(At now);
-  void step_island(FoundIsland& island, At now);
+  /// Counts, books and notes what has happened to an island, which flies on.
+  void take_on(const FoundIsland& island, const IslandChange& change, At now);
+  /// Every member begins the flight that `island` says, by its `support`.  Gives what was lost.
+  double fly_on(const FoundIsland& island, At now);
 
   std::shared_ptr<const Motion<P>> shared_motion_;
   const Motion<P>& motion_ = *shared_motion_;
@@ -247,11 +210,6 @@ class EventLoop {
   EndedFlights<P> ended_{motion_, book_};
   EventCosts costs_;
   StepClock<typename P::Clock> step_clock_;
-  SteppedEnergy island_energy_{{in_double(motion_.law().pull()), motion_.keeps_energy(),
-                                kTouching* motion_.largest_radius(),
-                                kStill* kStill* static_cast<double>(motion_.speed_of_step())}};
-  std::vector<int> number_;  ///< in the island that is looked at; -1
-  std::vector<char> joins_;  ///< it is of an island that is hit now
   /// The fixed ball a flight began at; only where balls fall on fixed disks.
   std::vector<Index> left_;
   Time impact_time_ = 0;     ///< of the last impact: the present instant
@@ -265,6 +223,10 @@ class EventLoop {
       motion_, {disks_, spins_, left_, step_clock_.next()}, neighbours_, ties_};
   TouchSearch<P> touch_search_{
       motion_, {disks_, spins_, neighbours_, prediction_}, pairs_, jam_watch_.level()};
+  IslandSearch<P> island_search_{motion_, {disks_, spins_, step_clock_.next()}, neighbours_};
+  IslandImpulses<P> island_impulses_{motion_, jam_watch_.level()};
+  IslandImpact<P> island_impact_{motion_, disks_, island_impulses_};
+  IslandStepping<P> island_stepping_{motion_, disks_, island_impulses_};
 };
 
 }  // namespace carom::event

@@ -6,7 +6,7 @@
 
 #include "contact/joint_friction.hpp"
 #include "solvers/event/event_loop.hpp"
-#include "solvers/event/loop_island_search_body.hpp"
+#include "solvers/event/order_by_place.hpp"
 
 namespace carom::event {
 

@@ -11,8 +11,7 @@ namespace carom::event {
 template <class P>
 void EventLoop<P>::start_resting(At now) {
   if (!motion_.contacts_last()) return;
-  number_.assign(disks_.size(), -1);
-  joins_.assign(disks_.size(), 0);
+  island_search_.reset(disks_.size());
   for (Index i = 0; i < disks_.size(); ++i) {
     Disk& disk = disks_[i];
     if (motion_.fixed(disk)) continue;

@@ -4,7 +4,7 @@
 
 #include "contact/disjoint_sets.hpp"
 #include "numbers/scalar.hpp"
-#include "solvers/event/island_motion.hpp"
+#include "solvers/event/islands/island_motion.hpp"
 
 namespace carom::event {
 

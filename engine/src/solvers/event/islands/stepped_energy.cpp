@@ -1,4 +1,4 @@
-#include "solvers/event/stepped_energy.hpp"
+#include "solvers/event/islands/stepped_energy.hpp"
 
 #include <algorithm>
 #include <cmath>

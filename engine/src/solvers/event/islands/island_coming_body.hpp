@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "contact/rest_rules.hpp"
-#include "solvers/event/loop_island_search_body.hpp"
+#include "solvers/event/islands/island_search.hpp"
 
 namespace carom::event {
 
 // The balls that will meet one of the island before its next step, and are near it by then: a step
 // of a heap sees many, and each would be an impact of the whole heap.
 template <class P>
-void EventLoop<P>::add_coming(FoundIsland& island, At now) {
-  if (motion_.elastic() || !step_clock_.runs()) return;
+void IslandSearch<P>::add_coming(Island& island, At now) {
+  if (motion_.elastic() || next_step_ == P::Clock::never()) return;
   struct Coming {
     Index of_island;
     Index ball;
@@ -35,8 +35,8 @@ void EventLoop<P>::add_coming(FoundIsland& island, At now) {
       if (!near(r, S(radius + motion_.species(other).radius), S(kAhead))) continue;
       const Vec<S> v = motion_.velocity(other, now) - motion_.velocity(disk, now);
       if (!(dot(r, v) < 0)) continue;
-      const Time at = motion_.pair_event(disk, other, false, step_clock_.next());
-      if (at > now && at <= step_clock_.next()) coming.push_back({i, j, at});
+      const Time at = motion_.pair_event(disk, other, false, next_step_);
+      if (at > now && at <= next_step_) coming.push_back({i, j, at});
     }
   }
   for (const Coming& pair : coming) {

@@ -1,4 +1,4 @@
-#include "solvers/event/island_rest.hpp"
+#include "solvers/event/islands/island_rest.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "numbers/scalar.hpp"
-#include "solvers/event/island_motion.hpp"
+#include "solvers/event/islands/island_motion.hpp"
 
 namespace carom::event {
 

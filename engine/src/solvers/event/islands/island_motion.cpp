@@ -1,4 +1,4 @@
-#include "solvers/event/island_motion.hpp"
+#include "solvers/event/islands/island_motion.hpp"
 
 #include "contact/contact_graph.hpp"
 

@@ -3,8 +3,10 @@
 #include <vector>
 
 #include "numbers/scalar.hpp"
+#include "solvers/event/counts.hpp"
 #include "solvers/event/disk.hpp"
-#include "solvers/event/island_motion.hpp"
+#include "solvers/event/impact_lines.hpp"
+#include "solvers/event/islands/island_motion.hpp"
 
 namespace carom::event {
 
@@ -21,6 +23,14 @@ struct FoundIsland : IslandMotion {
   std::vector<Index> members;  ///< by ball, as are places
   std::vector<Vec<S>> places;
   std::vector<Near> near;  ///< by contact
+  double deepest = 0;      ///< overlap of two balls / smaller radius
+};
+
+/// What an impact or a step has done to an island, beside the motion of its balls.
+struct IslandChange {
+  Counts counts;             ///< of what it was
+  IslandCarried carried;     ///< by its contacts
+  std::vector<Index> woken;  ///< balls that were at rest, where it was an impact
 };
 
 }  // namespace carom::event

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solvers/event/disk.hpp"
+#include "solvers/event/huge_pages.hpp"
+#include "solvers/event/islands/found_island.hpp"
+#include "solvers/event/islands/island_hits.hpp"
+#include "solvers/event/islands/island_impulses.hpp"
+#include "solvers/event/motion.hpp"
+
+namespace carom::event {
+
+/// The impact of balls on a contact island, resolved for all of it at once: rule 3 of
+/// contact/rest_rules.hpp.
+///
+/// Holds: the flights of the balls are only read; what they become is in the island.
+template <class P>
+class IslandImpact {
+ public:
+  using S = typename P::Scalar;
+  using At = typename P::At;
+  using Disk = typename P::Disk;
+  using Island = FoundIsland<S>;
+
+  /// Of balls on these flights; all must outlive this.
+  IslandImpact(const Motion<P>& motion, const HugeVector<Disk>& disks,
+               const IslandImpulses<P>& impulses)
+      : motion_(motion), disks_(disks), impulses_(impulses) {}
+
+  /// `span`: how far a speed of 1 goes until the next step, seconds; 0: there is none.
+  IslandChange resolve(Island& island, double span, At now) const;
+
+ private:
+  struct Reflection {
+    std::uint64_t jammed = 0;  ///< contacts; see JointReport
+    double held = 0;           ///< energy of a jammed group that nothing of it can move with
+  };
+  Reflection reflect(Island& island, IslandHits& hits) const;
+  void note_who_stays(const Island& island, IslandHits& hits) const;
+  /// Who is of the island from now on.  Adds those that were at rest to `woken`.
+  void give_support(Island& island, const IslandHits& hits, double span,
+                    std::vector<Index>& woken) const;
+  void put_on_walls(Island& island) const;
+  void hold_on(Island& island, double span, double goal, std::vector<double>& loads) const;
+
+  const Motion<P>& motion_;
+  const HugeVector<Disk>& disks_;
+  const IslandImpulses<P>& impulses_;
+};
+
+}  // namespace carom::event

@@ -1,0 +1,181 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "contact/joint_impact.hpp"
+#include "contact/rest_rules.hpp"
+#include "solvers/event/islands/island_impact.hpp"
+#include "solvers/event/islands/put_on_wall.hpp"
+
+namespace carom::event {
+
+// A hit of an island whose contacts lose nothing along their normals is a joint impact of all that
+// touches.
+template <class P>
+auto IslandImpact<P>::reflect(Island& island, IslandHits& hits) const -> Reflection {
+  Reflection reflection;
+  if (hits.all() > 0) {
+    std::vector<Body<double>> bodies;
+    for (const ConeBody& body : island.bodies) bodies.push_back({body.velocity, body.inverse_mass});
+    std::vector<Contact<double>> contacts;
+    const double restitution = impulses_.gives_up() ? 0 : 1;
+    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+      const ConeContact& c = island.contacts[k];
+      if (island.touches[k] == 0) continue;
+      if (c.b != kWall) {
+        contacts.push_back({c.a, c.b, in_double(island.near[k].r), restitution});
+      } else if (island.near[k].partner >= kFirstMark) {
+        contacts.push_back({c.a, kWall, c.normal, restitution});
+      } else {
+        contacts.push_back(
+            {c.a, static_cast<int>(bodies.size()), in_double(island.near[k].r), restitution});
+        bodies.push_back({{0, 0}, 0});
+      }
+    }
+    const JointReport report = joint_impact<double>(bodies, contacts);
+    reflection.jammed =
+        impulses_.gives_up() ? contacts.size() : static_cast<std::uint64_t>(report.jammed);
+    reflection.held = report.held_energy;
+    for (std::size_t m = 0; m < island.bodies.size(); ++m) {
+      island.bodies[m].velocity = bodies[m].velocity;
+    }
+  }
+  note_who_stays(island, hits);
+  return reflection;
+}
+
+// What is pressed on after a joint impact, and has no speed along the normal, stays.
+template <class P>
+void IslandImpact<P>::note_who_stays(const Island& island, IslandHits& hits) const {
+  std::fill(hits.stays.begin(), hits.stays.end(), 0);
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (island.touches[k] == 0) continue;
+    const ConeContact& c = island.contacts[k];
+    const auto a = static_cast<std::size_t>(c.a);
+    const bool wall = c.b == kWall && island.near[k].partner >= kFirstMark;
+    if (wall) continue;
+    // Two that fall press each other only where something holds one of them.
+    const Disk& disk = disks_[island.members[a]];
+    const double pressing =
+        c.b == kWall ? dot(c.normal, in_double(motion_.law_of(disk).pull())) : 0;
+    const double away = impulses_.gives_up() ? 0 : std::abs(approach(island, k));
+    const auto reach = static_cast<double>(root(S(dot(island.near[k].r, island.near[k].r))));
+    const auto pull = static_cast<double>(motion_.pull());
+    if (!barely_bounces(away, c.b == kWall ? pressing : pull, reach, kAtOnce) && away != 0)
+      continue;
+    if (c.b == kWall && !(pressing > 0) && !impulses_.gives_up()) continue;
+    hits.stays[a] = 1;
+    if (c.b != kWall) hits.stays[static_cast<std::size_t>(c.b)] = 1;
+  }
+}
+
+// What meets a wall is exactly there, and does not go into it; where energy is kept, what is still
+// a little above it stays there.
+template <class P>
+void IslandImpact<P>::put_on_walls(Island& island) const {
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const ConeContact& c = island.contacts[k];
+    const auto a = static_cast<std::size_t>(c.a);
+    const Index wall = island.near[k].partner;
+    if (c.b != kWall || wall < kFirstMark || island.touches[k] == 0) continue;
+    if (motion_.elastic() && c.gap > 0) continue;
+    island.lifted += put_on_wall(motion_, disks_[island.members[a]], wall, island.places[a]);
+    stop_at(island.bodies[a], c);
+  }
+}
+
+// What leaves an island, and still comes nearer to what it touches, stays.
+template <class P>
+void IslandImpact<P>::hold_on(Island& island, double span, double goal,
+                              std::vector<double>& loads) const {
+  const Vec<double> g = in_double(motion_.law().pull());
+  for (bool more = true; more;) {
+    impulses_.press(island, span, goal, loads);
+    more = false;
+    for (std::size_t k = 0; k < island.contacts.size() && !motion_.elastic(); ++k) {
+      const ConeContact& c = island.contacts[k];
+      const bool wall = c.b == kWall && island.near[k].partner >= kFirstMark;
+      if (wall || island.touches[k] == 0 || !(approach(island, k) > 0)) continue;
+      for (const int body : {c.a, c.b}) {
+        if (body == kWall) continue;
+        unsigned& support = island.support[static_cast<std::size_t>(body)];
+        if (support == kStepped) continue;
+        support = kStepped;
+        Vec<double>& v = island.bodies[static_cast<std::size_t>(body)].velocity;
+        v = v + span * g;
+        more = true;
+      }
+    }
+  }
+}
+
+template <class P>
+void IslandImpact<P>::give_support(Island& island, const IslandHits& hits, double span,
+                                   std::vector<Index>& woken) const {
+  const Vec<double> g = in_double(motion_.law().pull());
+  const bool keeps_all = !motion_.elastic() || impulses_.gives_up();
+  for (std::size_t m = 0; m < island.members.size(); ++m) {
+    unsigned& support = island.support[m];
+    if (support == kResting) woken.push_back(island.members[m]);
+    const bool of_it = (support >= kResting && keeps_all) || hits.stays[m] != 0;
+    if (of_it && support != kStepped) {
+      // It has not been given what gravity makes till the next step.
+      island.bodies[m].velocity = island.bodies[m].velocity + span * g;
+    }
+    support = of_it ? kStepped : 0;
+  }
+}
+
+template <class P>
+IslandChange IslandImpact<P>::resolve(Island& island, double span, At now) const {
+  IslandChange change;
+  Counts& counts = change.counts;
+  IslandHits hits = hits_of(motion_, disks_, island, now);
+  counts.ball_wall = hits.walls;
+  counts.ball_ball = hits.balls;
+  if (hits.all() > 1) counts.joint_impacts = 1;
+
+  const SteppedEnergy& energy = impulses_.energy();
+  const double had = energy.of(island, span).all();
+  const bool elastic = motion_.elastic();
+  // What a joint impact has left is only what gravity makes until the next step.
+  const double goal = elastic ? std::max(kSolved * static_cast<double>(motion_.speed_of_step()),
+                                         kSolved * kSolved * hits.fastest) *
+                                    kSolved
+                              : kSolved * hits.fastest;
+  double held = 0;
+  if (elastic) {
+    const Reflection reflection = reflect(island, hits);
+    counts.jammed = reflection.jammed;
+    held = reflection.held;
+  } else if (hits.bounces) {
+    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+      if (hits.parts[k] != 0) island.contacts[k].parting = hits.restitution * approach(island, k);
+    }
+  }
+  give_support(island, hits, span, change.woken);
+  if (!change.woken.empty()) counts.wakes = 1;
+  std::vector<double> loads(island.contacts.size(), 0);
+  hold_on(island, span, goal, loads);
+  put_on_walls(island);
+  for (ConeContact& contact : island.contacts) contact.parting = 0;
+  const double kept = had - 2 * held;
+  if (energy.keep(island, kept, span, impulses_.gives_up())) {
+    if (motion_.keeps_energy()) {
+      impulses_.keep_gaps(island, kept, span, goal, loads);
+    } else {
+      hold_on(island, span, goal, loads);
+      put_on_walls(island);
+    }
+  }
+  const double lost = energy.loss(island, had, span);
+  if (!(held > 0) && energy.is_held(island, lost)) ++counts.jammed;
+  change.carried = {std::move(loads), std::move(hits.counted), lost};
+  return change;
+}
+
+}  // namespace carom::event

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contact/rest_rules.hpp"
+#include "solvers/event/islands/found_island.hpp"
+#include "solvers/event/islands/stepped_energy.hpp"
+#include "solvers/event/jam_level.hpp"
+#include "solvers/event/motion.hpp"
+
+namespace carom::event {
+
+/// How often what an island's contacts hold, and the energy it keeps, are seen to in turn.
+inline constexpr int kMostTurns = 32;
+
+/// The impulses that an island needs until its next step: those by which none of its contacts
+/// closes, and those by which it keeps its energy all the same.
+///
+/// `span`: how far a speed of 1 goes until the step, seconds; 0: there is none.  `goal`: what may
+/// remain of speeds that are stopped.  `loads`: the sums of the normal impulses, by contact.
+template <class P>
+class IslandImpulses {
+ public:
+  using S = typename P::Scalar;
+  using Island = FoundIsland<S>;
+
+  /// Both must outlive this.
+  IslandImpulses(const Motion<P>& motion, const JamLevel& jam) : motion_(motion), jam_(jam) {}
+
+  [[nodiscard]] const SteppedEnergy& energy() const { return energy_; }
+  /// What is taken as jammed in vain loses what its contacts have of speed.
+  [[nodiscard]] bool gives_up() const { return jam_.gives_up(); }
+
+  /// Whether the contact is one of a step, and not an impact to come; where balls lose energy, all
+  /// near ones are.
+  [[nodiscard]] bool lasts(const Island& island, std::size_t contact) const;
+  /// Nothing closes before the next step; where impacts are elastic, only among those that stay, as
+  /// others meet at their own time.
+  void press(Island& island, double span, double goal, std::vector<double>& loads) const;
+  /// What goes faster, so that the island keeps the energy it `had`, may close a contact beyond
+  /// touching: then that one is held again, and what it loses goes to the others.
+  void keep_gaps(Island& island, double had, double span, double goal,
+                 std::vector<double>& loads) const;
+
+ private:
+  /// Whether the contact is held until the next step, where collisions are elastic.
+  [[nodiscard]] bool holds(const Island& island, std::size_t contact) const;
+
+  const Motion<P>& motion_;
+  const JamLevel& jam_;
+  SteppedEnergy energy_{{in_double(motion_.law().pull()), motion_.keeps_energy(),
+                         kTouching* motion_.largest_radius(),
+                         kStill* kStill* static_cast<double>(motion_.speed_of_step())}};
+};
+
+}  // namespace carom::event

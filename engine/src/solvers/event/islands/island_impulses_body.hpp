@@ -1,0 +1,74 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "contact/cone_island.hpp"
+#include "solvers/event/islands/island_impulses.hpp"
+
+namespace carom::event {
+
+template <class P>
+bool IslandImpulses<P>::lasts(const Island& island, std::size_t contact) const {
+  if (!motion_.elastic()) return true;
+  const ConeContact& c = island.contacts[contact];
+  const auto& near = island.near[contact];
+  const double speed = approach(island, contact);
+  if (c.b == kWall && near.partner >= kFirstMark) {
+    return island.touches[contact] != 0 &&
+           speed <= static_cast<double>(motion_.lasting_speed(S(0), S(1)));
+  }
+  Vec<double> v = island.bodies[static_cast<std::size_t>(c.a)].velocity;
+  if (c.b != kWall) v = v - island.bodies[static_cast<std::size_t>(c.b)].velocity;
+  const S reach = root(S(dot(near.r, near.r)));
+  const S most = motion_.lasting_speed(S(cross(c.normal, v)), reach);
+  return speed <= static_cast<double>(most) &&
+         c.gap <= static_cast<double>(S(most * motion_.seconds_of_step()));
+}
+
+template <class P>
+bool IslandImpulses<P>::holds(const Island& island, std::size_t contact) const {
+  const auto steps = [&](int body) {
+    return body == kWall || island.support[static_cast<std::size_t>(body)] == kStepped;
+  };
+  const ConeContact& c = island.contacts[contact];
+  return steps(c.a) && steps(c.b) && lasts(island, contact);
+}
+
+template <class P>
+void IslandImpulses<P>::press(Island& island, double span, double goal,
+                              std::vector<double>& loads) const {
+  std::vector<ConeContact> contacts;
+  std::vector<std::size_t> number;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const ConeContact& c = island.contacts[k];
+    if (motion_.elastic() && !holds(island, k)) continue;
+    contacts.push_back(c);
+    number.push_back(k);
+  }
+  const double rate = span > 0 ? 1 / span : 0;
+  ConeIsland whole(island.bodies, contacts);
+  const std::vector<double> impulses = whole.resolve(island.bodies, rate, goal);
+  for (std::size_t k = 0; k < number.size(); ++k) loads[number[k]] += impulses[k];
+}
+
+template <class P>
+void IslandImpulses<P>::keep_gaps(Island& island, double had, double span, double goal,
+                                  std::vector<double>& loads) const {
+  if (!motion_.keeps_energy() || gives_up() || !(span > 0)) return;
+  const double touching = kTouching * motion_.largest_radius();
+  const auto closes = [&] {
+    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+      const double way = approach(island, k) * span;
+      const double gap = std::max(island.contacts[k].gap, 0.0);
+      if (way > gap + touching && holds(island, k)) return true;
+    }
+    return false;
+  };
+  for (int round = 0; round < kMostTurns && closes(); ++round) {
+    press(island, span, goal, loads);
+    energy_.keep(island, had, span, gives_up());
+  }
+}
+
+}  // namespace carom::event

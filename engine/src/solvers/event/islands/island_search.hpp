@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "solvers/event/disk.hpp"
+#include "solvers/event/huge_pages.hpp"
+#include "solvers/event/islands/found_island.hpp"
+#include "solvers/event/motion.hpp"
+#include "solvers/event/neighbours.hpp"
+
+namespace carom::event {
+
+/// Finds contact islands: all balls that can be reached over near contacts of balls that are of an
+/// island, or are about to be, and these contacts.
+///
+/// Holds: of many contacts the order is by place, which no numbering changes.
+template <class P>
+class IslandSearch {
+ public:
+  using S = typename P::Scalar;
+  using Time = typename P::Time;
+  using At = typename P::At;
+  using Disk = typename P::Disk;
+  using Island = FoundIsland<S>;
+
+  /// What is known of the balls.
+  struct Balls {
+    const HugeVector<Disk>& disks;
+    const std::vector<S>& spins;  ///< empty: they have none
+    const Time& next_step;        ///< of islands; never(): none is stepped
+  };
+
+  /// All must outlive this.
+  IslandSearch(const Motion<P>& motion, const Balls& balls, Neighbours<P>& neighbours)
+      : motion_(motion),
+        disks_(balls.disks),
+        spins_(balls.spins),
+        next_step_(balls.next_step),
+        neighbours_(neighbours) {}
+
+  /// There are `balls` balls.
+  void reset(std::size_t balls) {
+    number_.assign(balls, -1);
+    joins_.assign(balls, 0);
+  }
+  /// The island that a ball is of.
+  [[nodiscard]] Island around(Index ball, At now) { return of({ball}, now, false); }
+  /// The islands of groups of balls that meet something now; groups that share an island are one.
+  [[nodiscard]] std::vector<Island> of_hits(std::vector<std::vector<Index>> groups, At now);
+
+ private:
+  /// `ahead`: where there are many, also those that come to them before the next step.
+  [[nodiscard]] Island of(const std::vector<Index>& balls, At now, bool ahead);
+  void join(Island& island, Index i, At now);
+  void add_near(Island& island, std::size_t first, At now, bool joins);
+  void add_coming(Island& island, At now);  // island_coming_body.hpp
+
+  const Motion<P>& motion_;
+  const HugeVector<Disk>& disks_;
+  const std::vector<S>& spins_;
+  const Time& next_step_;
+  Neighbours<P>& neighbours_;
+  std::vector<int> number_;  ///< in the island that is looked at; -1: none
+  std::vector<char> joins_;  ///< it is of an island that is hit now
+};
+
+}  // namespace carom::event

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "contact/cone_island.hpp"
+#include "contact/rest_rules.hpp"
+#include "solvers/event/islands/island_order.hpp"
+#include "solvers/event/islands/island_search.hpp"
+#include "solvers/event/islands/put_on_wall.hpp"
+
+namespace carom::event {
+
+template <class P>
+auto IslandSearch<P>::of(const std::vector<Index>& balls, At now, bool ahead) -> Island {
+  Island island;
+  for (const Index i : balls) {
+    if (number_[i] < 0) join(island, i, now);
+  }
+  if (motion_.rules().collisions) {
+    add_near(island, 0, now, true);
+    const bool many = island.contacts.size() > kFewContacts;
+    if (many && ahead) add_coming(island, now);
+  }
+  for (const Index m : island.members) number_[m] = -1;
+  if (island.contacts.size() > kFewContacts) put_in_order(island);
+  return island;
+}
+
+template <class P>
+auto IslandSearch<P>::of_hits(std::vector<std::vector<Index>> groups, At now)
+    -> std::vector<Island> {
+  // Those that touch become one island, though none of them is of one yet.
+  const auto mark = [&](char joins) {
+    for (const auto& balls : groups) {
+      for (const Index i : balls) joins_[i] = joins;
+    }
+  };
+  mark(1);
+  std::vector<Island> islands;
+  for (std::vector<Index>& balls : groups) {
+    // A ball that an earlier island has brings its island with it.
+    for (bool more = true; more;) {
+      Island island = of(balls, now, true);
+      more = false;
+      for (std::size_t other = 0; other < islands.size(); ++other) {
+        const std::vector<Index>& others = islands[other].members;
+        const bool shares = std::any_of(others.begin(), others.end(), [&](Index m) {
+          return std::find(island.members.begin(), island.members.end(), m) != island.members.end();
+        });
+        if (!shares) continue;
+        balls.insert(balls.end(), others.begin(), others.end());
+        islands.erase(islands.begin() + static_cast<std::ptrdiff_t>(other));
+        more = true;
+        break;
+      }
+      if (!more) islands.push_back(std::move(island));
+    }
+  }
+  mark(0);
+  return islands;
+}
+
+template <class P>
+void IslandSearch<P>::join(Island& island, Index i, At now) {
+  const Disk& disk = disks_[i];
+  number_[i] = static_cast<int>(island.members.size());
+  island.members.push_back(i);
+  island.support.push_back(motion_.support(disk));
+  Vec<S> at = motion_.wrapped(motion_.place(disk, now));
+  const auto& species = motion_.species(disk);
+  S turning = 0;
+  if (!spins_.empty()) turning = species.radius * motion_.spin_at(disk, spins_[i], now);
+  island.bodies.push_back({in_double(motion_.velocity(disk, now)), static_cast<double>(turning),
+                           static_cast<double>(species.inverse_mass)});
+  for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
+    const std::size_t axis = (wall - kWalls) / 2;
+    if (!motion_.rules().domain.solid(axis)) continue;
+    const S gap = motion_.wall(disk, at, wall).gap;
+    if (gap > 2 * species.radius * kNear) continue;
+    if (gap < 0) island.lifted += put_on_wall(motion_, disk, wall, at);
+    const S side = wall % 2 == kWalls % 2 ? -1 : 1;
+    const Vec<S> towards = axis == 0 ? Vec<S>{side, S(0)} : Vec<S>{S(0), side};
+    island.contacts.push_back({number_[i], kWall, in_double(towards),
+                               static_cast<double>(larger(gap, S(0))),
+                               motion_.rules().wall_friction});
+    island.near.push_back({towards, wall});
+    island.touches.push_back(gap > 2 * species.radius * kTouching ? 0 : 1);
+  }
+  island.places.push_back(at);
+}
+
+// The near contacts of the members from `first` on, which are the last ones.  `joins`: what they
+// are with becomes a member if it is of an island.
+template <class P>
+void IslandSearch<P>::add_near(Island& island, std::size_t first, At now, bool joins) {
+  const double friction = motion_.rules().friction;
+  std::vector<Index> around;
+  for (std::size_t m = first; m < island.members.size(); ++m) {
+    const Index i = island.members[m];
+    const Vec<S> here = island.places[m];
+    const S radius = motion_.species(disks_[i]).radius;
+    const auto found = neighbours_.around(static_cast<double>(here.x), static_cast<double>(here.y));
+    around.assign(found.begin(), found.end());
+    for (const Index j : around) {
+      if (j == i || number_[j] > number_[i]) continue;  // it is found from there, too
+      const bool fixed = motion_.fixed(disks_[j]);
+      const bool brings = joins && (motion_.in_island(disks_[j]) || joins_[j] != 0);
+      if (number_[j] < 0 && !fixed && !brings) continue;
+      const S reach = radius + motion_.species(disks_[j]).radius;
+      const Vec<S> there = number_[j] >= 0 ? island.places[static_cast<std::size_t>(number_[j])]
+                                           : motion_.wrapped(motion_.place(disks_[j], now));
+      const Vec<S> r = motion_.way(here, there);
+      if (!near(r, reach, S(kNear))) continue;
+      if (number_[j] < 0 && !fixed) join(island, j, now);
+      if (!fixed && number_[j] > number_[i]) continue;
+      const S length = root(S(r.x * r.x + r.y * r.y));
+      const S gap = squared_gap(r, reach) / (length + reach);
+      island.contacts.push_back({number_[i], fixed ? kWall : number_[j],
+                                 in_double(S(1 / length) * r), static_cast<double>(gap), friction});
+      island.near.push_back({r, fixed ? j : kUnknown});
+      island.touches.push_back(near(r, reach, S(kTouching)) ? 1 : 0);
+      const S depth = -gap / std::min(radius, motion_.species(disks_[j]).radius);
+      island.deepest = std::max(island.deepest, static_cast<double>(depth));
+    }
+  }
+}
+
+}  // namespace carom::event

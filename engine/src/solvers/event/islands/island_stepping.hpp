@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/disjoint_sets.hpp"
+#include "solvers/event/disk.hpp"
+#include "solvers/event/huge_pages.hpp"
+#include "solvers/event/islands/found_island.hpp"
+#include "solvers/event/islands/island_impulses.hpp"
+#include "solvers/event/motion.hpp"
+
+namespace carom::event {
+
+/// The step of a contact island: what gravity and its contacts do until its next step, and which of
+/// its balls come to rest or leave it; rules 3 and 4 of contact/rest_rules.hpp.
+///
+/// Holds: the flights of the balls are only read; what they become is in the island.
+template <class P>
+class IslandStepping {
+ public:
+  using S = typename P::Scalar;
+  using Disk = typename P::Disk;
+  using Island = FoundIsland<S>;
+
+  /// Of balls on these flights; all must outlive this.
+  IslandStepping(const Motion<P>& motion, const HugeVector<Disk>& disks,
+                 const IslandImpulses<P>& impulses)
+      : motion_(motion), disks_(disks), impulses_(impulses) {}
+
+  IslandChange step(Island& island) const;
+
+ private:
+  /// How exactly a step is solved.
+  struct Scale {
+    Vec<double> pull;  ///< gravity
+    double span;       ///< how far a speed of 1 goes in the step, seconds
+    double speed;      ///< what gravity makes in it
+    double still;      ///< what is slower is still
+    double goal;       ///< what may remain of speeds that are stopped
+  };
+  [[nodiscard]] Scale scale() const;
+
+  /// What the contacts of a step have done.
+  struct Pressed {
+    std::vector<double> loads;  ///< normal impulses, by contact
+    std::vector<char> lasts;    ///< by contact: it is one of the step
+  };
+  /// Gravity acts, and no contact closes.
+  Pressed press(Island& island, const Scale& scale) const;
+
+  /// What carries whom.
+  struct Carrying {
+    std::vector<char> carries;     ///< by contact
+    std::vector<int> loaded;       ///< by ball: how many of its contacts carry
+    std::vector<char> on_balls;    ///< by ball: one of those is with a ball
+    std::vector<char> approaches;  ///< by ball: it came nearer to what it is in contact with
+    DisjointSets sets;             ///< of balls that carry each other
+  };
+  /// `before`: as the balls moved before the step.
+  [[nodiscard]] Carrying carrying(const Island& island, const std::vector<ConeBody>& before,
+                                  const Pressed& pressed, const Scale& scale) const;
+  /// By the number of a set: its balls do not come to rest.
+  [[nodiscard]] std::vector<char> moving(const Island& island, Carrying& carrying,
+                                         const Scale& scale) const;
+  /// Rest, or not, or leave.  `stays`: by ball.  Gives how many contacts have come to rest.
+  std::uint64_t give_support(Island& island, const std::vector<ConeBody>& before,
+                             Carrying& carrying, const std::vector<char>& moves,
+                             const std::vector<char>& stays) const;
+  /// What walls carry is exactly there; where nothing else touches it, it slides or rolls on along
+  /// them, of the island no more, if it does not come to rest.
+  void put_on_walls(Island& island, const std::vector<ConeBody>& before, const Carrying& carrying,
+                    const std::vector<char>& stays, double goal) const;
+
+  const Motion<P>& motion_;
+  const HugeVector<Disk>& disks_;
+  const IslandImpulses<P>& impulses_;
+};
+
+}  // namespace carom::event

@@ -1,0 +1,197 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "contact/cone_island.hpp"
+#include "contact/rest_rules.hpp"
+#include "solvers/event/islands/island_rest.hpp"
+#include "solvers/event/islands/island_stepping.hpp"
+#include "solvers/event/islands/put_on_wall.hpp"
+
+namespace carom::event {
+
+template <class P>
+auto IslandStepping<P>::scale() const -> Scale {
+  const auto speed = static_cast<double>(motion_.speed_of_step());
+  const bool elastic = motion_.elastic();
+  return {
+      in_double(motion_.law().pull()),
+      motion_.stepped_way(motion_.rules().scale.seconds(P::Clock::span(1, motion_.step_shift()))),
+      speed, (elastic ? kStill * kStill : kStill) * speed,
+      (elastic ? kSolved * kSolved : kSolved) * speed};
+}
+
+template <class P>
+auto IslandStepping<P>::press(Island& island, const Scale& scale) const -> Pressed {
+  const std::size_t contacts = island.contacts.size();
+  Pressed pressed{std::vector<double>(contacts, 0), std::vector<char>(contacts, 0)};
+  std::vector<ConeContact> lasting;
+  std::vector<std::size_t> number;
+  for (std::size_t k = 0; k < contacts; ++k) {
+    if (!impulses_.lasts(island, k)) continue;
+    pressed.lasts[k] = 1;
+    lasting.push_back(island.contacts[k]);
+    number.push_back(k);
+  }
+  for (ConeBody& body : island.bodies) body.velocity = body.velocity + scale.span * scale.pull;
+  ConeIsland whole(island.bodies, lasting);
+  const std::vector<double> pushes = whole.resolve(island.bodies, 1 / scale.span, scale.goal, true);
+  for (std::size_t k = 0; k < number.size(); ++k) pressed.loads[number[k]] = pushes[k];
+  return pressed;
+}
+
+template <class P>
+auto IslandStepping<P>::carrying(const Island& island, const std::vector<ConeBody>& before,
+                                 const Pressed& pressed, const Scale& scale) const -> Carrying {
+  const std::size_t n = island.members.size();
+  Carrying result{std::vector<char>(island.contacts.size(), 0),
+                  std::vector<int>(n, 0),
+                  std::vector<char>(n, 0),
+                  std::vector<char>(n, 0),
+                  {}};
+  result.sets.reset(n);
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (pressed.lasts[k] == 0) continue;
+    const ConeContact& c = island.contacts[k];
+    const auto a = static_cast<std::size_t>(c.a);
+    const auto b = c.b == kWall ? a : static_cast<std::size_t>(c.b);
+    const double mobility =
+        island.bodies[a].inverse_mass + (c.b == kWall ? 0 : island.bodies[b].inverse_mass);
+    const Vec<double> other = c.b == kWall ? Vec<double>{0, 0} : before[b].velocity;
+    if (dot(c.normal, other - before[a].velocity) < -scale.still) {
+      result.approaches[a] = result.approaches[b] = 1;
+    }
+    if (!(pressed.loads[k] * mobility > kLoaded * scale.speed)) continue;
+    result.carries[k] = 1;
+    ++result.loaded[a];
+    const bool wall = c.b == kWall && island.near[k].partner >= kFirstMark;
+    if (!wall) result.on_balls[a] = 1;
+    if (c.b == kWall) continue;
+    ++result.loaded[b];
+    result.on_balls[b] = 1;
+    result.sets.merge(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
+  }
+  return result;
+}
+
+template <class P>
+std::vector<char> IslandStepping<P>::moving(const Island& island, Carrying& carrying,
+                                            const Scale& scale) const {
+  const std::size_t n = island.members.size();
+  const auto find = [&](std::size_t k) {
+    return carrying.sets.find(static_cast<std::uint32_t>(k));
+  };
+  std::vector<char> moves(n, 0);
+  for (std::size_t m = 0; m < n; ++m) {
+    const ConeBody& body = island.bodies[m];
+    // A ball that rests already is not woken by what has not been solved to the end.
+    const double most = island.support[m] == kResting ? 4 * scale.still : scale.still;
+    if (std::abs(body.velocity.x) > most || std::abs(body.velocity.y) > most ||
+        std::abs(body.turning) > most || carrying.loaded[m] == 0) {
+      moves[find(m)] = 1;
+    }
+  }
+  // On a single fixed ball it rests only straight above it.
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const ConeContact& c = island.contacts[k];
+    const auto a = static_cast<std::size_t>(c.a);
+    if (carrying.carries[k] == 0 || c.b != kWall || island.near[k].partner >= kFirstMark) continue;
+    const Vec<double> r = in_double(island.near[k].r);
+    const double off = std::abs(cross(r, scale.pull));
+    if (carrying.loaded[a] == 1 && off > 0x1p-40 * std::abs(dot(r, scale.pull))) moves[find(a)] = 1;
+  }
+  hold_still(island, {scale.pull, scale.span, scale.speed}, carrying.sets, carrying.carries, moves);
+  // Where energy is lost, what comes nearer to what rests, or leaves, would hit the island at once.
+  if (!motion_.elastic()) pass_on_motion(island, carrying.sets, moves);
+  return moves;
+}
+
+template <class P>
+std::uint64_t IslandStepping<P>::give_support(Island& island, const std::vector<ConeBody>& before,
+                                              Carrying& carrying, const std::vector<char>& moves,
+                                              const std::vector<char>& stays) const {
+  const std::size_t n = island.members.size();
+  std::vector<char> newly(n, 0);
+  for (std::size_t m = 0; m < n; ++m) {
+    ConeBody& body = island.bodies[m];
+    if (moves[carrying.sets.find(static_cast<std::uint32_t>(m))] == 0) {
+      newly[m] = island.support[m] != kResting ? 1 : 0;
+      island.support[m] = kResting;
+      body.velocity = {0, 0};
+      body.turning = 0;
+    } else if (carrying.loaded[m] == 0 && carrying.approaches[m] == 0 && stays[m] == 0) {
+      island.support[m] = 0;
+      body = before[m];
+    } else {
+      island.support[m] = kStepped;
+    }
+  }
+  std::uint64_t rest = 0;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const ConeContact& c = island.contacts[k];
+    if (carrying.carries[k] == 0) continue;
+    if (newly[static_cast<std::size_t>(c.a)] != 0 ||
+        (c.b != kWall && newly[static_cast<std::size_t>(c.b)] != 0)) {
+      ++rest;
+    }
+  }
+  return rest;
+}
+
+template <class P>
+void IslandStepping<P>::put_on_walls(Island& island, const std::vector<ConeBody>& before,
+                                     const Carrying& carrying, const std::vector<char>& stays,
+                                     double goal) const {
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const ConeContact& c = island.contacts[k];
+    const auto a = static_cast<std::size_t>(c.a);
+    const Index wall = island.near[k].partner;
+    if (carrying.carries[k] == 0 || c.b != kWall || wall < kFirstMark || island.touches[k] == 0) {
+      continue;
+    }
+    if (motion_.elastic() && c.gap > 0) continue;
+    island.lifted += put_on_wall(motion_, disks_[island.members[a]], wall, island.places[a]);
+    // It does not go into a wall that takes speed, not even by what has been left unsolved.
+    const bool takes = motion_.rules().wall_restitution < 1;
+    if (takes && island.support[a] == kStepped && approach(island, k) < 4 * goal) {
+      stop_at(island.bodies[a], c);
+    }
+    // Only walls carry it: it slides on, or rolls, if it does not come to rest.
+    if (carrying.on_balls[a] != 0 || carrying.approaches[a] != 0 || stays[a] != 0) continue;
+    const bool rests = island.support[a] == kResting && !motion_.elastic();
+    if (island.support[a] != 0 && !rests) island.bodies[a] = before[a];
+    Vec<double>& v = island.bodies[a].velocity;
+    (wall - kWalls < 2 ? v.x : v.y) = 0;
+    island.support[a] = 0;
+  }
+}
+
+template <class P>
+IslandChange IslandStepping<P>::step(Island& island) const {
+  IslandChange change;
+  change.counts.steps = 1;
+  const Scale scale = this->scale();
+  const std::vector<ConeBody> before = island.bodies;
+  const SteppedEnergy& energy = impulses_.energy();
+  const double had = energy.of(island, 0).all();
+  Pressed pressed = press(island, scale);
+  Carrying carrying = this->carrying(island, before, pressed, scale);
+  const std::vector<char> moves = moving(island, carrying, scale);
+  const std::vector<char> stays =
+      motion_.elastic() ? std::vector<char>(before.size(), 0) : met(island, before);
+  change.counts.resting_contacts = give_support(island, before, carrying, moves, stays);
+  put_on_walls(island, before, carrying, stays, scale.goal);
+  if (energy.keep(island, had, scale.span, impulses_.gives_up())) {
+    impulses_.keep_gaps(island, had, scale.span, scale.goal, pressed.loads);
+  }
+  const double lost = energy.loss(island, had, scale.span);
+  if (energy.is_held(island, lost)) change.counts.jammed = 1;
+  change.carried = {std::move(pressed.loads), std::vector<char>(island.contacts.size(), 0), lost};
+  return change;
+}
+
+}  // namespace carom::event

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "solvers/event/event_loop.hpp"
+#include "solvers/event/order_by_place.hpp"
+#include "state/stopwatch.hpp"
+
+namespace carom::event {
+
+// Contact islands in the order of time: they are found, change, are booked, and fly on.
+
+template <class P>
+bool EventLoop<P>::is_hit_of_island(Index i, Index partner, At now) const {
+  if (motion_.in_island(disks_[i])) return true;
+  if (partner >= kFirstMark) return false;
+  const Disk& other = disks_[partner];
+  if (!motion_.fixed(other) && motion_.in_island(other)) return true;
+  const Vec<S> r = motion_.way(motion_.place(disks_[i], now), motion_.place(other, now));
+  return motion_.sticks(disks_[i], other, r, now);
+}
+
+// Balls that meet something at one instant; those of one island are resolved together. All are
+// found before any is resolved.
+template <class P>
+void EventLoop<P>::hit_islands(std::vector<std::vector<Index>> hits, At now) {
+  if (hits.empty()) return;
+  const Stopwatch stopwatch(true, costs_.island_seconds());
+  schedule_step(now);
+  double span = 0;  // until the next step; 0: for ever
+  if (step_clock_.runs()) {
+    span = motion_.stepped_way(motion_.rules().scale.seconds(step_clock_.next() - now));
+  }
+  for (FoundIsland& island : island_search_.of_hits(std::move(hits), now)) {
+    resolutions_.begin();
+    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+      if (island.touches[k] == 0) continue;
+      const ConeContact& c = island.contacts[k];
+      const Index other =
+          c.b == kWall ? island.near[k].partner : island.members[static_cast<std::size_t>(c.b)];
+      pairs_.note_resolved(island.members[static_cast<std::size_t>(c.a)], other);
+    }
+    take_on(island, island_impact_.resolve(island, span, now), now);
+    resolutions_.end();
+  }
+}
+
+template <class P>
+void EventLoop<P>::step_islands(At now) {
+  const Stopwatch stopwatch(true, costs_.island_seconds());
+  std::vector<Index> all;
+  for (Index i = 0; i < disks_.size(); ++i) {
+    if (!motion_.fixed(disks_[i]) && motion_.support(disks_[i]) >= kStepped) all.push_back(i);
+  }
+  std::vector<char> stepped(disks_.size(), 0);
+  resolutions_.begin();
+  for (const Index i : all) {
+    if (stepped[i] != 0) continue;
+    FoundIsland island = island_search_.around(i, now);
+    for (const Index m : island.members) stepped[m] = 1;
+    take_on(island, island_stepping_.step(island), now);
+  }
+  begin_simultaneous();  // what comes now takes no step back
+  predict_changed(now);
+}
+
+template <class P>
+void EventLoop<P>::take_on(const FoundIsland& island, const IslandChange& change, At now) {
+  counts_ += change.counts;
+  counts_.max_overlap = std::max(counts_.max_overlap, island.deepest);
+  if (notes_.wanted()) {
+    for (const Index i : change.woken) writer_.wake(i, now);
+  }
+  const std::size_t first_line = notes_.lines();
+  if (notes_.wanted()) writer_.island(island, change.carried, now);
+  book_.correct(change.carried.lost);
+  notes_.tell_loss(first_line, fly_on(island, now));
+}
+
+template <class P>
+double EventLoop<P>::fly_on(const FoundIsland& island, At now) {
+  bool moves = false;
+  for (std::size_t m = 0; m < island.members.size(); ++m) {
+    const Index i = island.members[m];
+    remember(i);
+    schedule_.unlink(i);
+    schedule_.forget(i);
+    Disk& disk = disks_[i];
+    disk.x = island.places[m].x;
+    disk.y = island.places[m].y;
+    disk.vx = with_plain_zero(island.bodies[m].velocity.x);
+    disk.vy = with_plain_zero(island.bodies[m].velocity.y);
+    if (!spins_.empty()) spins_[i] = island.bodies[m].turning / motion_.species(disk).radius;
+    disk.start = now;
+    motion_.set_support(disk, island.support[m]);
+    left_[i] = kUnknown;
+    moves = moves || island.support[m] == kStepped;
+  }
+  // Of several fixed balls that it touches, the one that lies first, by place.
+  std::vector<const Vec<S>*> ways(island.members.size(), nullptr);
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const auto a = static_cast<std::size_t>(island.contacts[k].a);
+    const auto& near = island.near[k];
+    if (island.support[a] >= kResting || island.touches[k] == 0 || near.partner >= kFirstMark)
+      continue;
+    if (ways[a] != nullptr && precedes_by_place(*ways[a], near.r)) continue;
+    ways[a] = &near.r;
+    left_[island.members[a]] = near.partner;
+  }
+  if (moves) schedule_step(now);
+  for (std::size_t m = 0; m < island.members.size(); ++m) {
+    if (island.support[m] < kResting) update_support(island.members[m]);
+  }
+  const double lost = book_.keep();
+  changed_.insert(changed_.end(), island.members.begin(), island.members.end());
+  return lost;
+}
+
+}  // namespace carom::event

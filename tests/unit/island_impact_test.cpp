@@ -1,0 +1,130 @@
+#include "solvers/event/islands/island_impact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "solvers/event/islands/island_impact_body.hpp"
+#include "support/island_balls.hpp"
+
+namespace carom::event {
+namespace {
+
+using Island = FoundIsland<double>;
+
+struct Hit {
+  Island island;
+  IslandChange change;
+
+  /// What has become of a ball.
+  [[nodiscard]] Vec<double> velocity(Index ball) const { return island.bodies[at(ball)].velocity; }
+  [[nodiscard]] unsigned support(Index ball) const { return island.support[at(ball)]; }
+
+ private:
+  [[nodiscard]] std::size_t at(Index ball) const {
+    for (std::size_t m = 0; m < island.members.size(); ++m) {
+      if (island.members[m] == ball) return m;
+    }
+    throw std::logic_error("no member");
+  }
+};
+
+/// Nothing has hit the balls of late: they are where they were said to be, and as fast, at the
+/// start, from flights that began before.
+void make_older(IslandBalls& balls) {
+  const FixedTime age = balls.motion.rules().scale.ticks(0.25);
+  for (Disk& disk : balls.disks) {
+    if (balls.motion.fixed(disk)) continue;
+    const Vec<double> pull = balls.motion.law_of(disk).pull();
+    disk.x += 0.25 * (0.125 * pull.x - disk.vx);
+    disk.y += 0.25 * (0.125 * pull.y - disk.vy);
+    disk.vx -= 0.25 * pull.x;
+    disk.vy -= 0.25 * pull.y;
+    disk.start = -age;
+  }
+}
+
+/// Of the balls together; where `span` is 0 no step follows.
+Hit hit(IslandBalls& balls, const std::vector<Index>& which, double span = 0) {
+  const IslandImpact<Ballistic> impact(balls.motion, balls.disks, balls.impulses);
+  make_older(balls);
+  balls.begin();
+  Hit result{balls.search.of_hits({which}, 0).front(), {}};
+  result.change = impact.resolve(result.island, span, 0);
+  return result;
+}
+
+// A mass of 2 that comes at 3 to a wall of restitution 1/4 loses 2 (9 - 9/16) / 2.
+TEST(IslandImpact, ABallOfAnIslandLeavesAWallByItsRestitution) {
+  IslandBalls balls(island_rules(0.5, 0.25));
+  balls.add(0, -9.5, 1, -3, kStepped, 2);
+  const Hit after = hit(balls, {0});
+  EXPECT_NEAR(after.velocity(0).x, 1, 1e-12);
+  EXPECT_NEAR(after.velocity(0).y, 0.75, 1e-3);  // as exactly as a hit is solved
+  EXPECT_NEAR(after.change.carried.lost, 9 - 9.0 / 16, 0.01);
+  EXPECT_EQ(after.change.counts.ball_wall, 1U);
+  EXPECT_EQ(after.change.counts.joint_impacts, 0U);
+  EXPECT_EQ(after.island.contacts[0].parting, 0);
+}
+
+// Equal masses at 1 and 0 leave at (1 - e) / 2 and (1 + e) / 2; a push across does nothing.
+TEST(IslandImpact, TwoPartByTheirRestitution) {
+  IslandBalls balls(island_rules(0.5, 0.5));
+  balls.add(0, 0, 1, 0.25);
+  balls.add(1, 0);
+  const Hit after = hit(balls, {0, 1});
+  EXPECT_NEAR(after.velocity(0).x, 0.25, 1e-3);
+  EXPECT_NEAR(after.velocity(1).x, 0.75, 1e-3);
+  EXPECT_NEAR(after.velocity(0).y, 0.25, 1e-12);
+  EXPECT_NEAR(after.change.carried.impulses[0], 0.75, 1e-3);
+  EXPECT_NEAR(after.change.carried.lost, (1 - 0.625) / 2, 1e-3);
+  EXPECT_EQ(after.change.counts.ball_ball, 1U);
+}
+
+// A row of elastic balls passes on what comes in.
+TEST(IslandImpact, AnElasticRowIsACradle) {
+  IslandBalls balls(island_rules(1, 1));
+  for (int k = 0; k < 4; ++k) balls.add(k, 0, k == 0 ? 2 : 0, 0);
+  const Hit after = hit(balls, {0, 1});
+  for (Index k = 0; k < 4; ++k) EXPECT_NEAR(after.velocity(k).x, k == 3 ? 2 : 0, 1e-12) << k;
+  EXPECT_NEAR(after.change.carried.lost, 0, 1e-12);
+}
+
+TEST(IslandImpact, WhatRestedIsWokenAndWhatBouncesOffLeaves) {
+  IslandBalls balls(island_rules(0.5, 0.5));
+  balls.add(0, 0, 0, 0, kResting);
+  balls.add(1, 0, 0, 0, kResting);
+  balls.add(-1, 0, 3, 0, 0);
+  const Hit after = hit(balls, {2, 0});
+  EXPECT_EQ(after.change.woken, (std::vector<Index>{0, 1}));
+  EXPECT_EQ(after.change.counts.wakes, 1U);
+  EXPECT_EQ(after.support(0), kStepped);
+  EXPECT_EQ(after.support(1), kStepped);
+  EXPECT_EQ(after.support(2), 0U);
+}
+
+// What would be back within a step is of the island.
+TEST(IslandImpact, WhatComesSlowlyIsOfTheIslandFromThenOn) {
+  for (const double part : {0.5, 2.0}) {
+    IslandBalls balls(island_rules(0.5, 0.5));
+    const double speed = part * balls.motion.speed_of_step();
+    balls.add(0, 0);
+    balls.add(0, 1, 0.125, -speed, 0);
+    const Hit after = hit(balls, {0, 1});
+    EXPECT_EQ(after.support(1), part < 1 ? kStepped : 0U) << part;
+  }
+}
+
+// It was a little above the floor.
+TEST(IslandImpact, WhatIsAtAWallIsExactlyThereAndDoesNotGoIntoIt) {
+  IslandBalls balls(island_rules(0.5, 0));
+  balls.add(0, -9.5 + kTouching / 4, 1, -2);
+  const Hit after = hit(balls, {0}, 0x1p-8);
+  EXPECT_EQ(after.island.places[0].y, -9.5);
+  EXPECT_EQ(after.velocity(0).y, 0);
+  EXPECT_LT(after.island.lifted, 0);
+}
+
+}  // namespace
+}  // namespace carom::event
