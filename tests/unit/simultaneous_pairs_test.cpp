@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <vector>
 
 namespace carom::event {
@@ -97,6 +98,23 @@ TEST_F(Instant, ForgetsAllWhenTheBallsAreOthers) {
   EXPECT_FALSE(pairs.is_resolved(1, 2));
   EXPECT_FALSE(pairs.is_resolved(1, 3));
   EXPECT_EQ(pairs.hits(1), 0);
+}
+
+// Balls from 7 on never move: what hits only them is no reason to be together.
+TEST(PairGroups, ArePairsThatShareBalls) {
+  const auto moves = [](Index i) { return i < 7; };
+  const Pairs pairs{{1, 2}, {3, 8}, {4, kWalls}, {5, 2}, {4, 8}, {1, kWalls}, {6, 5}};
+  std::set<std::set<Pair>> groups;
+  std::set<std::set<Index>> balls;
+  for (const PairGroup& group : groups_that_share(pairs, moves)) {
+    groups.insert({group.pairs.begin(), group.pairs.end()});
+    balls.insert({group.balls.begin(), group.balls.end()});
+    EXPECT_EQ(std::set<Index>(group.balls.begin(), group.balls.end()).size(), group.balls.size());
+  }
+  EXPECT_EQ(groups, (std::set<std::set<Pair>>{
+                        {{1, 2}, {5, 2}, {1, kWalls}, {6, 5}}, {{3, 8}}, {{4, kWalls}, {4, 8}}}));
+  EXPECT_EQ(balls, (std::set<std::set<Index>>{{1, 2, 5, 6}, {3}, {4}}));
+  EXPECT_TRUE(groups_that_share({}, moves).empty());
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -30,10 +29,10 @@
 #include "solvers/event/islands/island_stepping.hpp"
 #include "solvers/event/jam_watch.hpp"
 #include "solvers/event/motion.hpp"
-#include "solvers/event/nearing.hpp"
 #include "solvers/event/neighbours.hpp"
 #include "solvers/event/prediction.hpp"
 #include "solvers/event/resolutions.hpp"
+#include "solvers/event/simultaneous_choice.hpp"
 #include "solvers/event/simultaneous_impact.hpp"
 #include "solvers/event/simultaneous_pairs.hpp"
 #include "solvers/event/step_clock.hpp"
@@ -42,10 +41,6 @@
 #include "state/totals.hpp"
 
 namespace carom::event {
-
-/// Impacts of one ball at one instant of which later ones are not resolved together with the
-/// earlier ones.
-inline constexpr int kManyAtOnce = 256;
 
 /// Balls and their impacts in the order of time.
 ///
@@ -157,15 +152,9 @@ class EventLoop {
   /// Whether the ball, looked at only now, meets at this instant one that has been hit at it; then
   /// both wait to be resolved.
   [[nodiscard]] bool is_late(Index i, At now);
-  [[nodiscard]] bool comes_nearer(Index i, Index partner, At now) const;
-  [[nodiscard]] bool tied(Index i, Index partner, At now);
-  [[nodiscard]] bool meets_another(Index i, Index partner, At now) const;
-  /// What meets at the present instant, as far as it is known: all of it at once, so that no order
-  /// of the balls shows.
-  void wait_for_all_that_are_met(At now);
   void resolve_waiting();
-  [[nodiscard]] std::optional<bool> is_joint(Index i, Index partner, At now);
   void resolve_together(std::vector<Pair> alone, const std::vector<Pair>& joint, At now);
+  void settle_pressed();
   [[nodiscard]] std::vector<SimultaneousImpact> groups_of(std::vector<Index>& to_predict, At now);
   void resolve_alone(Index i, Index partner, At now);
   /// One impact, of balls that have been remembered: it is booked and noted.
@@ -181,7 +170,6 @@ class EventLoop {
   // Contacts that rest: loop_rest_body.hpp.
   void start_resting(At now);
   void update_support(Index i);
-  void settle_pressed();
   void schedule_step(At now);
   void settle(Index i, At now);
   [[nodiscard]] bool is_of_island(const SimultaneousImpact& group, At now) const;
@@ -223,6 +211,8 @@ class EventLoop {
       motion_, {disks_, spins_, left_, step_clock_.next()}, neighbours_, ties_};
   TouchSearch<P> touch_search_{
       motion_, {disks_, spins_, neighbours_, prediction_}, pairs_, jam_watch_.level()};
+  SimultaneousChoice<P> choice_{
+      motion_, {disks_, prediction_}, {pairs_, resolutions_, ties_, jam_watch_.level()}};
   IslandSearch<P> island_search_{motion_, {disks_, spins_, step_clock_.next()}, neighbours_};
   IslandImpulses<P> island_impulses_{motion_, jam_watch_.level()};
   IslandImpact<P> island_impact_{motion_, disks_, island_impulses_};

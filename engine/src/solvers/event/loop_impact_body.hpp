@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solvers/event/event_loop.hpp"
+#include "solvers/event/nearing.hpp"
 
 namespace carom::event {
 
@@ -59,7 +60,8 @@ void EventLoop<P>::meet_alone(Index i, Index partner, At now) {
     ++counts_.ball_wall;
     // In a gap of zero between the two it goes on along both: what is left of its approach is
     // rounding.
-    const bool along = was_left != kUnknown && !comes_nearer(i, was_left, now);
+    const bool along =
+        was_left != kUnknown && !nears_ball(motion_, disks_[i], disks_[was_left], now);
     if (!left_.empty()) left_[i] = along ? was_left : kUnknown;
     update_support(i);
     return;
@@ -78,61 +80,6 @@ void EventLoop<P>::meet_alone(Index i, Index partner, At now) {
   if (motion_.clusters() && motion_.stay_together(disks_[i], disks_[partner])) {
     ++counts_.resting_contacts;
   }
-}
-
-// Those that share a ball become one island; what lies straight on a fixed ball, or is of none, is
-// looked at alone.
-template <class P>
-void EventLoop<P>::settle_pressed() {
-  const auto now = impact_time_;
-  std::vector<Pair> left = pairs_.take_pressed();
-  std::vector<std::vector<Index>> islands;
-  std::vector<std::vector<Pair>> others;
-  while (!left.empty()) {
-    std::vector<Pair> group{left.back()};
-    left.pop_back();
-    std::vector<Index> balls;
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      for (const Index ball : {group[k].first, group[k].second}) {
-        if (!moves(ball) || std::find(balls.begin(), balls.end(), ball) != balls.end()) continue;
-        balls.push_back(ball);
-        const auto shares = [ball](const auto& pair) {
-          return pair.first == ball || pair.second == ball;
-        };
-        std::copy_if(left.begin(), left.end(), std::back_inserter(group), shares);
-        left.erase(std::remove_if(left.begin(), left.end(), shares), left.end());
-      }
-    }
-    if (motion_.contacts_last() && std::any_of(group.begin(), group.end(), [&](auto& pair) {
-          return is_hit_of_island(pair.first, pair.second, now);
-        })) {
-      islands.push_back(std::move(balls));
-    } else {
-      others.push_back(std::move(group));
-    }
-  }
-  hit_islands(std::move(islands), now);
-  for (const auto& group : others) {
-    resolutions_.begin();
-    for (const auto& [i, partner] : group) {
-      remember(i);
-      if (moves(partner)) remember(partner);
-      meet_alone(i, partner, now);
-      book_.keep();
-    }
-    resolutions_.end();
-    for (const auto& [i, partner] : group) {
-      if (moves(partner)) changed_.push_back(partner);
-      changed_.push_back(i);
-    }
-  }
-  predict_changed(now);
-}
-
-template <class P>
-bool EventLoop<P>::comes_nearer(Index i, Index partner, At now) const {
-  if (partner >= kWalls) return nears_wall(motion_, disks_[i], partner, now);
-  return nears_ball(motion_, disks_[i], disks_[partner], now);
 }
 
 template <class P>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -9,23 +8,8 @@
 
 namespace carom::event {
 
-// Impacts of one instant: which wait, which are resolved alone, and which with all that touches.
-
-template <class P>
-bool EventLoop<P>::tied(Index i, Index partner, At now) {
-  if (!ties_.any(now, i, partner)) return false;
-  // A tie may be of what was known of a ball before: whether it was noted depends on what was
-  // looked at when.
-  const bool ball = partner < kFirstMark && !motion_.fixed(disks_[partner]);
-  return meets_another(i, partner, now) || (ball && meets_another(partner, i, now));
-}
-
-template <class P>
-bool EventLoop<P>::meets_another(Index i, Index partner, At now) const {
-  bool meets = false;
-  prediction_.each_met(i, now, [&](Index other) { meets = meets || other != partner; });
-  return meets;
-}
+// Impacts of one instant in their order: alone, with all that touches, with an island; at its end
+// those that are pressed together come to rest.
 
 template <class P>
 bool EventLoop<P>::is_late(Index i, At now) {
@@ -43,84 +27,26 @@ bool EventLoop<P>::is_late(Index i, At now) {
   return false;
 }
 
-// Whether an impact is to be resolved with all that touches; nothing, where it waits for the
-// impacts of the instant to be over: what has been resolved, and is only pressed together from then
-// on.
-template <class P>
-std::optional<bool> EventLoop<P>::is_joint(Index i, Index partner, At now) {
-  const bool ball = moves(partner);
-  const bool again = resolutions_.contains(i) || (ball && resolutions_.contains(partner));
-  const int hits = std::max(pairs_.hits(i), ball ? pairs_.hits(partner) : 0);
-  if (again &&
-      (pairs_.is_resolved(i, partner) || hits > kManyAtOnce || !comes_nearer(i, partner, now))) {
-    return std::nullopt;
-  }
-  return again || jam_watch_.level().jammed() || tied(i, partner, now) ||
-         (motion_.clusters() && ball && motion_.collapses(disks_[i], disks_[partner], now));
-}
-
-// A ball that has been hit at this instant may be sent into several at once, of which its event is
-// only one: to be linked whichever that is, all of them wait.
-template <class P>
-void EventLoop<P>::wait_for_all_that_are_met(At now) {
-  const std::size_t known = pairs_.waiting().size();
-  const auto add = [&](Index i, Index j) {
-    if (has_pair(pairs_.waiting(), i, j) || pairs_.is_resolved(i, j) || !comes_nearer(i, j, now))
-      return;
-    pairs_.wait(i, j);
-  };
-  for (std::size_t k = 0; k < known; ++k) {
-    const Pair pair = pairs_.waiting()[k];
-    for (const Index i : {pair.first, pair.second}) {
-      if (!moves(i) || !resolutions_.contains(i)) continue;
-      prediction_.each_met(i, now, [&](Index partner) { add(i, partner); });
-    }
-  }
-}
-
 template <class P>
 void EventLoop<P>::resolve_waiting() {
   const auto now = impact_time_;
-  if (resolutions_.any()) wait_for_all_that_are_met(now);
+  if (resolutions_.any()) choice_.add_all_met(now);
   for (const auto& [i, partner] : pairs_.waiting()) {
     pairs_.count_hit(i);
     if (moves(partner)) pairs_.count_hit(partner);
   }
   if (pairs_.waiting().size() == 1) {
     const auto [i, partner] = pairs_.waiting().front();
-    const std::optional<bool> joint = is_joint(i, partner, now);
-    if (joint && !*joint && !(motion_.contacts_last() && is_hit_of_island(i, partner, now))) {
+    if (choice_.way_of(i, partner, now) == SimultaneousChoice<P>::Way::alone &&
+        !(motion_.contacts_last() && is_hit_of_island(i, partner, now))) {
       pairs_.drop_waiting();
       resolve_alone(i, partner, now);
       predict_changed(now);
       return;
     }
   }
-  std::vector<Pair> alone;
-  std::vector<Pair> joint;
-  std::vector<Index> balls;
-  for (const Pair& pair : pairs_.take_waiting()) {
-    const std::optional<bool> together = is_joint(pair.first, pair.second, now);
-    if (!together) {
-      pairs_.press(pair);
-      continue;
-    }
-    (*together ? joint : alone).push_back(pair);
-    balls.push_back(pair.first);
-    if (moves(pair.second)) balls.push_back(pair.second);
-  }
-  // What shares a ball is resolved together.
-  std::sort(balls.begin(), balls.end());
-  const auto shares = [&](Index k) {
-    const auto [first, last] = std::equal_range(balls.begin(), balls.end(), k);
-    return last - first > 1;
-  };
-  std::erase_if(alone, [&](const Pair& pair) {
-    if (!shares(pair.first) && !(moves(pair.second) && shares(pair.second))) return false;
-    joint.push_back(pair);
-    return true;
-  });
-  resolve_together(std::move(alone), joint, now);
+  auto [alone, together] = choice_.take_waiting(now);
+  resolve_together(std::move(alone), together, now);
   predict_changed(now);
 }
 
@@ -221,6 +147,42 @@ void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<P
     resolutions_.end();
   }
   for (const auto& [i, partner] : alone) resolve_alone(i, partner, now);
+}
+
+// Those that share a ball become one island; what lies straight on a fixed ball, or is of none, is
+// looked at alone.
+template <class P>
+void EventLoop<P>::settle_pressed() {
+  const auto now = impact_time_;
+  std::vector<std::vector<Index>> islands;
+  std::vector<std::vector<Pair>> others;
+  const auto is_moving = [this](Index partner) { return moves(partner); };
+  for (PairGroup& group : groups_that_share(pairs_.take_pressed(), is_moving)) {
+    const auto hits = [&](const Pair& pair) {
+      return is_hit_of_island(pair.first, pair.second, now);
+    };
+    if (motion_.contacts_last() && std::any_of(group.pairs.begin(), group.pairs.end(), hits)) {
+      islands.push_back(std::move(group.balls));
+    } else {
+      others.push_back(std::move(group.pairs));
+    }
+  }
+  hit_islands(std::move(islands), now);
+  for (const auto& pairs : others) {
+    resolutions_.begin();
+    for (const auto& [i, partner] : pairs) {
+      remember(i);
+      if (moves(partner)) remember(partner);
+      meet_alone(i, partner, now);
+      book_.keep();
+    }
+    resolutions_.end();
+    for (const auto& [i, partner] : pairs) {
+      if (moves(partner)) changed_.push_back(partner);
+      changed_.push_back(i);
+    }
+  }
+  predict_changed(now);
 }
 
 }  // namespace carom::event

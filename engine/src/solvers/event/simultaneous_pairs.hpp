@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -13,6 +14,37 @@ using Pair = std::pair<Index, Index>;
 
 /// Whether the two are among them, in either order.
 [[nodiscard]] bool has_pair(const std::vector<Pair>& pairs, Index i, Index j);
+
+/// Impacts that share balls, and the balls of them that move.
+struct PairGroup {
+  std::vector<Pair> pairs;
+  std::vector<Index> balls;
+};
+/// `moves(ball)`: whether it can be shared; walls and fixed balls are not.
+template <class Moves>
+std::vector<PairGroup> groups_that_share(std::vector<Pair> left, const Moves& moves) {
+  std::vector<PairGroup> groups;
+  while (!left.empty()) {
+    PairGroup& group = groups.emplace_back();
+    group.pairs.push_back(left.back());
+    left.pop_back();
+    for (std::size_t k = 0; k < group.pairs.size(); ++k) {
+      for (const Index ball : {group.pairs[k].first, group.pairs[k].second}) {
+        if (!moves(ball) ||
+            std::find(group.balls.begin(), group.balls.end(), ball) != group.balls.end()) {
+          continue;
+        }
+        group.balls.push_back(ball);
+        std::erase_if(left, [&](const Pair& pair) {
+          const bool shares = pair.first == ball || pair.second == ball;
+          if (shares) group.pairs.push_back(pair);
+          return shares;
+        });
+      }
+    }
+  }
+  return groups;
+}
 
 /// The impacts of one instant, from when they are due to when they are over.
 ///
