@@ -9,6 +9,7 @@
 #include "carom/impact.hpp"
 #include "solvers/event/groups/conflict_sets.hpp"
 #include "solvers/event/groups/group_loop.hpp"
+#include "solvers/event/groups/merge_forecast.hpp"
 #include "solvers/event/groups/path.hpp"
 #include "solvers/event/groups/path_meeting.hpp"
 #include "solvers/event/groups/region_pairs.hpp"
@@ -46,7 +47,7 @@ namespace carom::event {
 ///
 /// What is known of each ball: tracks.hpp; which balls are of one group: conflict_sets.hpp; how one
 /// is solved: group_loop.hpp; whether two paths meet: path_meeting.hpp; how long a window is:
-/// window_length.hpp.
+/// window_length.hpp; whether near balls are one group before they meet: merge_forecast.hpp.
 ///
 /// Threads: `work` for the workers; the other members while no phase runs.  What a phase reads is
 /// written by no other worker in it: a worker writes the paths of its balls, or of the members of
@@ -154,6 +155,7 @@ class ConflictGroups {
   Time target_ = 0;
   WindowLength<P> length_;
   typename WindowLength<P>::Cost cost_;  ///< of the present window
+  MergeForecast merges_;
   WindowBook book_;
   std::uint64_t windows_ = 0;
   std::uint64_t passes_ = 0;

@@ -112,19 +112,23 @@ void ConflictGroups<P>::test_pairs(Share share) {
   const std::vector<double>& radii = tracks_.radii();
   const std::array<double, 2>& periods = motion_->rules().domain.period;
   const PathMeeting<P> paths(*motion_, until_);
+  const bool joins_near = first_pass_ && merges_.joins_near();
+  const double reach = joins_near ? MergeForecast::kReach : kWidest;
   const std::size_t end = share.end(pairs.size());
   for (std::size_t k = share.begin(pairs.size()); k < end; ++k) {
     const auto [i, j] = pairs[k];
     const Track& a = tracks_[i];
     const Track& b = tracks_[j];
     if (!first_pass_ && !a.changed && !b.changed) continue;
-    if (!a.box.near(b.box, (radii[i] + radii[j]) * kWidest, periods)) continue;
+    if (!a.box.near(b.box, (radii[i] + radii[j]) * reach, periods)) continue;
     const PathBall one = tracks_.path_of(i);
     const PathBall other = tracks_.path_of(j);
     if (first_pass_ && paths.touch_at_start(one, other, now_)) workspace.touching.push_back({i, j});
     if (sets_.together(i, j)) continue;
     const bool lasting = paths.lasts(one, other);
-    if (lasting || paths.meet(one, other)) workspace.encounters.push_back({i, j, lasting});
+    if (lasting || joins_near || paths.meet(one, other)) {
+      workspace.encounters.push_back({i, j, lasting});
+    }
   }
 }
 
@@ -203,6 +207,7 @@ std::size_t ConflictGroups<P>::merge() {
   for (const ConflictSets::Group& group : dirty_) {
     // Shorter windows part what meets, not what stays together.
     if (!group.lasting) cost_.solved += group.size;
+    if (group.lasting && cost_.passes > 1) merges_.add_solved_again(group.size);
     largest_ = std::max(largest_, group.size);
     sets_.each(group.root, [this](Index i) { tracks_[i].outcome.clear(); });
   }
@@ -223,6 +228,7 @@ std::size_t ConflictGroups<P>::end_window() {
   ++windows_;
   passes_ += cost_.passes;
   length_.learn(cost_, tracks_.movers().size());
+  merges_.end_window(tracks_.movers().size());
   if (now_ == target_) return Phase::kFrameDone;
   return begin_window();
 }
