@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "state/domain.hpp"
 
@@ -60,5 +61,8 @@ struct BlockRange {
   std::array<int, 2> first{0, 0};
   std::array<int, 2> size{0, 0};
 };
+
+/// All blocks in about so many rectangles, as near to squares of one size as there are blocks for.
+[[nodiscard]] std::vector<BlockRange> cut(const Blocks& blocks, std::size_t wanted);
 
 }  // namespace carom::event

@@ -7,6 +7,7 @@
 #include "solvers/event/domains/domains_body.hpp"
 #include "solvers/event/domains/domains_halo_body.hpp"
 #include "solvers/event/domains/domains_start_body.hpp"
+#include "solvers/event/domains/domains_state_body.hpp"
 #include "solvers/event/event_queue_body.hpp"
 #include "solvers/event/motion_body.hpp"
 #include "solvers/event/motion_impact_body.hpp"

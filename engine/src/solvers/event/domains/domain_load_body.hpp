@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "solvers/event/domains/domain_loop.hpp"
+#include "solvers/event/domains/slot_runs.hpp"
 
 namespace carom::event {
 
@@ -184,8 +186,7 @@ void DomainLoop<P>::link(Slot i, Slot j) {
   lists_.add(j, i);
 }
 
-// A list for each ball; the fast way where a cell and those around it are all different.  There
-// ends_[c] is the end of cell c, and its beginning the end of the one before.
+// A list for each ball; the fast way where a cell and those around it are all different.
 template <class P>
 void DomainLoop<P>::list_all() {
   const auto n = static_cast<std::uint32_t>(flights_.size());
@@ -206,42 +207,16 @@ void DomainLoop<P>::list_all() {
     }
     return;
   }
-  const auto begin_of = [&](int c) { return c == 0 ? 0U : ends_[static_cast<std::size_t>(c) - 1]; };
-  const auto end_of = [&](int c) { return ends_[static_cast<std::size_t>(c)]; };
-  const Cells& plane = cells_.plane();
-  const int columns = static_cast<int>(plane.count(0));
-  const int rows = static_cast<int>(plane.count(1));
-  /// Slots in a row.
-  struct Run {
-    std::uint32_t first;
-    std::uint32_t last;
-  };
-  for (int y = 0; y < rows; ++y) {
-    for (int x = 0; x < columns; ++x) {
-      const int c = y * columns + x;
-      if (begin_of(c) == end_of(c)) continue;
-      std::array<Run, 6> runs;
-      std::size_t count = 0;
-      for (int row = y - 1; row <= y + 1; ++row) {
-        if ((row < 0 || row == rows) && !plane.wraps(1)) continue;
-        const int first = (row < 0 ? rows - 1 : row == rows ? 0 : row) * columns;
-        const int last = first + columns - 1;
-        runs[count++] = {begin_of(std::max(first + x - 1, first)),
-                         end_of(std::min(first + x + 1, last))};
-        if (!plane.wraps(0)) continue;
-        if (x == 0) runs[count++] = {begin_of(last), end_of(last)};
-        if (x + 1 == columns) runs[count++] = {begin_of(first), end_of(first)};
+  each_cell_run(cells_.plane(), ends_, [&](const SlotRun& cell, std::span<const SlotRun> around) {
+    for (std::uint32_t i = cell.first; i < cell.last; ++i) {
+      near.clear();
+      for (const SlotRun& run : around) {
+        search_.each_group(i, run.first, run.last,
+                           [&](std::uint32_t k, std::uint32_t mask) { near.add(k, mask); });
       }
-      for (std::uint32_t i = begin_of(c); i < end_of(c); ++i) {
-        near.clear();
-        for (std::size_t r = 0; r < count; ++r) {
-          search_.each_group(i, runs[r].first, runs[r].last,
-                             [&](std::uint32_t k, std::uint32_t mask) { near.add(k, mask); });
-        }
-        lists_.set(static_cast<Slot>(i), near);
-      }
+      lists_.set(static_cast<Slot>(i), near);
     }
-  }
+  });
 }
 
 template <class P>

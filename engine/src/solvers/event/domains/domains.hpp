@@ -10,15 +10,14 @@
 #include "carom/crew.hpp"
 #include "numbers/exact_sum.hpp"
 #include "solvers/event/domains/block_flight.hpp"
+#include "solvers/event/domains/block_sort.hpp"
 #include "solvers/event/domains/blocks.hpp"
 #include "solvers/event/domains/domain_loop.hpp"
+#include "solvers/event/domains/halo_width.hpp"
+#include "solvers/event/domains/window_span.hpp"
 #include "solvers/event/event_loop.hpp"
 
 namespace carom::event {
-
-/// So many collisions a ball are a window; more where one domain is all, which has no halo.
-inline constexpr double kCollisionsOfWindow = 2;
-inline constexpr double kCollisionsOfOneDomain = 8;
 
 /// Balls solved window by window in domains of the plane, with the bits that one event loop over
 /// all balls has.
@@ -48,6 +47,9 @@ inline constexpr double kCollisionsOfOneDomain = 8;
 /// With few balls and one worker there is one domain without a halo; its window goes on over
 /// frames.
 ///
+/// How flights are sorted: block_sort.hpp; how long a window is: window_span.hpp; how wide a halo:
+/// halo_width.hpp; how a domain is solved: domain_loop.hpp.
+///
 /// Threads: `work` for the workers; the other members while no phase runs.
 template <class P>
 class Domains {
@@ -62,9 +64,8 @@ class Domains {
   void set_workers(std::size_t workers);
   /// No window is longer, from the next `reset` on.
   void limit_windows(FixedTime longest) { wanted_longest_ = longest; }
-  /// Balls are followed to the end of a window so much farther out than those that may come near,
-  /// in diameters: an impact that is missed beyond shows at once in the next ball.
-  void follow_beyond(double diameters) { followed_ = diameters; }
+  /// See HaloWidth.
+  void follow_beyond(double diameters) { halo_width_.follow_beyond(diameters); }
   /// Gives the number of the phase to start with, Phase::kFrameDone where `until` is now.
   [[nodiscard]] std::size_t aim(FixedTime until);
   /// Counts time from `by` ticks later on.
@@ -121,39 +122,33 @@ class Domains {
   };
   struct alignas(128) Workspace {
     std::unique_ptr<DomainLoop<P>> domain;
-    std::vector<Index> counts;  ///< flights of its share in each block, then where they go
     double seconds = 0;
     Costs beside_pairs;
   };
 
   [[nodiscard]] bool alone() const { return regions_.size() == 1; }
-  [[nodiscard]] double collisions_of_window() const {
-    return alone() ? kCollisionsOfOneDomain : kCollisionsOfWindow;
-  }
+  // The start: domains_start_body.hpp.
   void decompose();
   void choose_radii(const std::vector<Disk>& flights);
-  void guess_window(const std::vector<Disk>& flights);
+  [[nodiscard]] WindowSpan::Gas gas_of(const std::vector<Disk>& flights) const;
 
-  // Phases: domains_body.hpp.
+  // The phases: domains_body.hpp.
   [[nodiscard]] std::size_t begin_window();
-  void count_blocks(Share share);
-  void place_blocks();
   void scatter(Share share);
-  void find_large();
-  void solve(Region& region, Workspace& workspace);
   void solve_alone(Workspace& workspace);
+  [[nodiscard]] std::size_t end_window();
+  void solve_by_one_loop();
+  void close_window();
+  void number_balls() const;  // domains_state_body.hpp
+
+  // Several domains: domains_halo_body.hpp.
+  void solve(Region& region, Workspace& workspace);
   void load_halo(const Region& region, DomainLoop<P>& domain) const;
   [[nodiscard]] DomainWindow window_of(Region& region) const;
   void keep(Region& region, DomainLoop<P>& domain);
   void check(Region& region) const;
   [[nodiscard]] std::size_t judge();
-  [[nodiscard]] std::size_t end_window();
-  void adapt(double halves);
-  void limit_window();
-  void solve_by_one_loop();
-  void close_window();
   void add_tally(const typename DomainLoop<P>::Tally& tally);
-  void number_balls() const;
 
   std::shared_ptr<const Motion<P>> motion_;
   double normal_radius_ = 0;
@@ -174,31 +169,20 @@ class Domains {
   std::vector<double> spins_;
   std::vector<double> next_spins_;
   std::vector<Outcome> outcomes_;
-  std::vector<Index> block_of_;  ///< of each of next_, where blocks_known_
-  std::vector<Index> starts_;    ///< of each block
-  struct Large {
-    Index memory;
-    int block;
-  };
-  std::vector<Large> large_;           ///< the balls larger than normal
+  BlockSort<P> sort_;
   mutable std::vector<Index> memory_;  ///< where each ball is; empty: not looked for yet
 
   FixedTime from_ = 0;  ///< the start of the window
   FixedTime now_ = 0;
   FixedTime until_ = 0;  ///< its end
   FixedTime target_ = 0;
-  FixedTime window_ = 1;   ///< as long as one should be
-  FixedTime longest_ = 1;  ///< no window is longer
+  WindowSpan span_{motion_->rules().scale};
+  HaloWidth halo_width_;
   FixedTime wanted_longest_ = kNever;
   bool counted_ = false;
-  bool blocks_known_ = false;  ///< their owners told
-  bool open_ = false;          ///< one domain: its window is not at its end
-  bool full_ = false;          ///< it is not the aim that ends the window
+  bool open_ = false;  ///< one domain: its window is not at its end
   bool by_one_loop_ = false;
   bool stuck_ = false;
-  double speed_ = 0;  ///< how far the balls of a window went, by its time: the farthest
-  double followed_ = 1.5;
-  double pyramid_ = 0;  ///< how wide halos are beyond those followed to the end, spacings
   std::uint32_t odd_windows_ = 0;
   std::size_t tried_again_ = 0;  ///< domains, in this window
 

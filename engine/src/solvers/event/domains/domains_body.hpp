@@ -9,10 +9,6 @@
 
 namespace carom::event {
 
-// Of several domains, whose halos it makes wide: how far the fastest ball may go, in spacings.
-inline constexpr double kFarthest = 1.4;
-// No more share the sorting of flights.
-inline constexpr std::size_t kMostSorters = 16;
 // Windows solved by an event loop count so much more than others; with so many, domains do not pay.
 inline constexpr std::uint32_t kOddWindow = 8;
 inline constexpr std::uint32_t kTooManyOdd = 64;
@@ -23,11 +19,7 @@ void Domains<P>::set_workers(std::size_t workers) {
   if (open_) close_window();
   workers_ = workers;
   workspaces_.resize(workers);
-  const double before = collisions_of_window();
   decompose();
-  window_ =
-      static_cast<FixedTime>(static_cast<double>(window_) * (collisions_of_window() / before));
-  limit_window();
 }
 
 template <class P>
@@ -42,14 +34,12 @@ std::size_t Domains<P>::begin_window() {
   memory_.clear();
   from_ = now_;
   by_one_loop_ = false;
-  // One domain alone may look beyond the aim.
-  full_ = alone() || window_ <= target_ - now_;
-  until_ = full_ ? now_ + window_ : target_;
+  until_ = span_.end(now_, target_);
   to_solve_.resize(regions_.size());
   for (std::size_t k = 0; k < regions_.size(); ++k) to_solve_[k] = k;
   taken_ = 0;
   outcomes_.resize(alone() ? 0 : next_.size());
-  block_of_.resize(alone() ? 0 : next_.size());
+  sort_.make_room(alone() ? 0 : next_.size());
   flights_.resize(next_.size());
   spins_.resize(next_spins_.size());
   if (alone()) {
@@ -66,18 +56,15 @@ std::size_t Domains<P>::begin_window() {
 template <class P>
 void Domains<P>::work(std::size_t phase, Share share) {
   Workspace& workspace = workspaces_[share.index];
+  const Stopwatch stopwatch(true, workspace.seconds);
   if (phase == kSort) {
-    if (share.index >= kMostSorters) return;
-    const Stopwatch stopwatch(true, workspace.seconds);
-    share.count = std::min(share.count, kMostSorters);
     if (counted_) {
       scatter(share);
     } else {
-      count_blocks(share);
+      sort_.count(*motion_, *blocks_, next_, now_, share);
     }
     return;
   }
-  const Stopwatch stopwatch(true, workspace.seconds);
   if (by_one_loop_) {
     if (share.index == 0) solve_by_one_loop();
   } else if (alone()) {
@@ -95,10 +82,10 @@ template <class P>
 std::size_t Domains<P>::finish(std::size_t phase) {
   if (phase == kSort) {
     if (counted_) {
-      find_large();
+      sort_.find_large(*motion_, flights_, normal_radius_);
       return kSolve;
     }
-    place_blocks();
+    sort_.place_blocks();
     counted_ = true;
     return kSort;
   }
@@ -157,7 +144,7 @@ void Domains<P>::close_window() {
   keep(regions_[0], domain);
   add_tally(domain.tally());
   workspaces_[0].beside_pairs += domain.tally().costs;
-  adapt(static_cast<double>(domain.tally().ball_halves));
+  span_.learn(static_cast<double>(domain.tally().ball_halves), until_ - from_);
   open_ = false;
   memory_.clear();
 }
@@ -173,32 +160,17 @@ void Domains<P>::add_tally(const typename DomainLoop<P>::Tally& tally) {
   for (const double lost : tally.lost) lost_.add(lost);
 }
 
-// The next window is as long as collisions take of which a ball has some.
 template <class P>
-void Domains<P>::adapt(double halves) {
-  const auto span = static_cast<double>(until_ - from_);
-  const double wanted = collisions_of_window() * static_cast<double>(movers_);
-  if (!(span > 0)) return;
-  const double many = std::max(halves, wanted / 4);
-  const double length = std::clamp(span * wanted / many, static_cast<double>(window_) / 2,
-                                   static_cast<double>(window_) * 2);
-  const double share = full_ ? 0.5 : 0.1;  // in a short time few balls collide by chance
-  window_ += static_cast<FixedTime>(share * (length - static_cast<double>(window_)));
-  limit_window();
-}
-
-template <class P>
-void Domains<P>::limit_window() {
-  FixedTime most = longest_;
-  if (!alone() && speed_ > 0) {
-    most = std::min(most, motion_->rules().scale.ticks(kFarthest * spacing_ / speed_));
-  }
-  window_ = std::min(std::max<FixedTime>(window_, 64), std::max<FixedTime>(most, 1));
+void Domains<P>::scatter(Share share) {
+  sort_.scatter(next_.size(), share, [this](std::size_t k, Index at) {
+    flights_[at] = next_[k];
+    if (!spins_.empty()) spins_[at] = next_spins_[k];
+  });
 }
 
 template <class P>
 void Domains<P>::solve_by_one_loop() {
-  blocks_known_ = false;
+  sort_.set_known(false);
   const std::size_t n = flights_.size();
   std::vector<Disk> disks(n);
   for (std::size_t k = 0; k < n; ++k) disks[k] = flights_[k].disk();
@@ -225,85 +197,6 @@ void Domains<P>::rebase(FixedTime by) {
   for (BlockFlight& flight : next_) {
     if (flight.start != kEver) flight.start -= by;
   }
-}
-
-template <class P>
-void Domains<P>::number_balls() const {
-  if (!memory_.empty()) return;
-  memory_.resize(next_.size());
-  const DomainLoop<P>* domain = open_ ? workspaces_[0].domain.get() : nullptr;
-  for (std::size_t k = 0; k < next_.size(); ++k) {
-    const Index ball = domain != nullptr ? flights_[domain->memory(k)].ball : next_[k].ball;
-    memory_[ball] = static_cast<Index>(k);
-  }
-}
-
-template <class P>
-auto Domains<P>::flight(std::size_t ball) const -> Disk {
-  number_balls();
-  const Index k = memory_[ball];
-  return (open_ ? workspaces_[0].domain->flight(k) : next_[k]).disk();
-}
-
-template <class P>
-double Domains<P>::spin(std::size_t ball) const {
-  number_balls();
-  const Index k = memory_[ball];
-  return open_ ? *workspaces_[0].domain->spin(k) : next_spins_[k];
-}
-
-template <class P>
-Counts Domains<P>::counts() const {
-  Counts counts = counts_;
-  std::uint64_t halves = halves_;
-  if (open_) {
-    const auto& tally = workspaces_[0].domain->tally();
-    halves += tally.ball_halves;
-    counts.ball_wall += tally.walls;
-    counts.max_overlap = std::max(counts.max_overlap, tally.max_overlap);
-  }
-  counts.ball_ball += halves / 2;
-  return counts;
-}
-
-template <class P>
-std::vector<double> Domains<P>::losses() const {
-  ExactSum<double> sum = lost_;
-  if (open_) {
-    for (const double lost : workspaces_[0].domain->tally().lost) sum.add(lost);
-  }
-  return sum.parts();
-}
-
-template <class P>
-Costs Domains<P>::costs() const {
-  Costs costs;
-  for (const Workspace& workspace : workspaces_) {
-    costs += workspace.beside_pairs;
-    costs.collisions += workspace.seconds - workspace.beside_pairs.beside_pairs();
-  }
-  if (open_) {
-    const Costs& open = workspaces_[0].domain->tally().costs;
-    costs += open;
-    costs.collisions -= open.beside_pairs();
-  }
-  costs.collisions = std::max(costs.collisions, 0.0);
-  return costs;
-}
-
-template <class P>
-std::size_t Domains<P>::bytes() const {
-  std::size_t bytes =
-      (flights_.capacity() + next_.capacity()) * sizeof(BlockFlight) +
-      (spins_.capacity() + next_spins_.capacity()) * sizeof(double) +
-      outcomes_.capacity() * sizeof(Outcome) +
-      (block_of_.capacity() + starts_.capacity() + memory_.capacity()) * sizeof(Index);
-  for (const Region& region : regions_) bytes += region.ghosts.capacity() * sizeof(Ghost);
-  for (const Workspace& workspace : workspaces_) {
-    bytes += workspace.counts.capacity() * sizeof(Index);
-    if (workspace.domain) bytes += workspace.domain->bytes();
-  }
-  return bytes;
 }
 
 }  // namespace carom::event

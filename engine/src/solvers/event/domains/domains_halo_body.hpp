@@ -7,77 +7,7 @@
 
 namespace carom::event {
 
-// A domain solved again gets a halo so much wider.
-inline constexpr double kWiderAgain = 1.4;
-// Halos are as much wider as farther displacements than those of the last window ask for.
-inline constexpr double kFarther = 1.15;
-// Wider than single precision and what two sums of a place may differ by, in spacings.
-inline constexpr double kHaloSlack = 1e-3;
-
-// Each flight by where it is now, the share of each worker in the order of memory.
-template <class P>
-void Domains<P>::count_blocks(Share share) {
-  std::vector<Index>& counts = workspaces_[share.index].counts;
-  counts.assign(blocks_->all(), 0);
-  if (blocks_known_) {
-    for (std::size_t k = share.begin(next_.size()); k < share.end(next_.size()); ++k) {
-      ++counts[block_of_[k]];
-    }
-    return;
-  }
-  const bool bends = motion_->bends();
-  for (std::size_t k = share.begin(next_.size()); k < share.end(next_.size()); ++k) {
-    const BlockFlight& flight = next_[k];
-    Vec<double> at{flight.x, flight.y};
-    if (flight.start != kEver) {
-      if (bends) {
-        at = motion_->place(flight, now_);
-      } else {
-        const double since = motion_->rules().scale.seconds(now_ - flight.start);
-        at = {at.x + since * flight.vx, at.y + since * flight.vy};
-      }
-    }
-    block_of_[k] = blocks_->at(at.x, at.y);
-    ++counts[block_of_[k]];
-  }
-}
-
-template <class P>
-void Domains<P>::place_blocks() {
-  const std::size_t sorters = std::min(workers_, kMostSorters);
-  starts_.resize(blocks_->all() + 1);
-  Index sum = 0;
-  for (std::size_t b = 0; b < blocks_->all(); ++b) {
-    starts_[b] = sum;
-    for (std::size_t w = 0; w < sorters; ++w) {
-      sum += std::exchange(workspaces_[w].counts[b], sum);
-    }
-  }
-  starts_.back() = sum;
-}
-
-template <class P>
-void Domains<P>::scatter(Share share) {
-  std::vector<Index>& to = workspaces_[share.index].counts;
-  for (std::size_t k = share.begin(next_.size()); k < share.end(next_.size()); ++k) {
-    const Index at = to[block_of_[k]]++;
-    flights_[at] = next_[k];
-    if (!spins_.empty()) spins_[at] = next_spins_[k];
-  }
-}
-
-template <class P>
-void Domains<P>::find_large() {
-  large_.clear();
-  if (!(motion_->largest_radius() > normal_radius_)) return;
-  for (std::size_t b = 0; b < blocks_->all(); ++b) {
-    for (Index k = starts_[b]; k < starts_[b + 1]; ++k) {
-      if (motion_->rules().all_species[flights_[k].species].radius > normal_radius_) {
-        large_.push_back({k, static_cast<int>(b)});
-      }
-    }
-  }
-}
+// Several domains: what they load, and whether what they have done agrees.
 
 template <class P>
 DomainWindow Domains<P>::window_of(Region& region) const {
@@ -87,14 +17,12 @@ DomainWindow Domains<P>::window_of(Region& region) const {
   window.until = until_;
   window.skin = skin_;
   window.halo = !alone();
-  window.collisions = collisions_of_window();
-  const double displaced = kFarther * speed_ * motion_->rules().scale.seconds(until_ - from_);
-  const double beyond = followed_ * std::min(spacing_, 2 * normal_radius_);
-  const double full =
-      (2 * displaced + 2 * normal_radius_ + beyond + kHaloSlack * spacing_) * region.wider;
-  const double wanted = full + pyramid_ * spacing_ * region.wider;
+  window.collisions = span_.collisions();
+  const HaloWidth::Width width = halo_width_.of(span_.farthest(until_ - from_), region.wider);
+  window.full = width.full;
+  window.reach = width.reach;
+  region.reach = width.reach;
   region.covers = true;
-  region.reach = wanted;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double half = (box.upper[axis] - box.lower[axis]) / 2;
     const double middle = box.lower[axis] + half;
@@ -107,7 +35,7 @@ DomainWindow Domains<P>::window_of(Region& region) const {
       const double side = blocks_->side(axis);
       const int first = region.blocks.first[axis];
       const int size = region.blocks.size[axis];
-      const int halo = static_cast<int>(std::min(std::ceil(wanted / side), 1e6));
+      const int halo = static_cast<int>(std::min(std::ceil(width.reach / side), 1e6));
       window.own[axis] = size * side / 2;
       if (size + 2 * halo < blocks_->count(axis)) {
         region.halo[axis] = halo;
@@ -122,8 +50,6 @@ DomainWindow Domains<P>::window_of(Region& region) const {
     window.lowest[axis] = periodic ? -never<double>() : box.lower[axis] - window.middle[axis];
     window.highest[axis] = periodic ? never<double>() : box.upper[axis] - window.middle[axis];
   }
-  window.full = full;
-  window.reach = region.reach;
   return window;
 }
 
@@ -146,6 +72,8 @@ void Domains<P>::load_halo(const Region& region, DomainLoop<P>& domain) const {
   const auto is_large = [&](Index k) {
     return all_species[flights_[k].species].radius > normal_radius_;
   };
+  const std::vector<Index>& starts = sort_.starts();
+  const auto& large = sort_.large();
   struct Line {
     int first;
     int last;
@@ -175,12 +103,12 @@ void Domains<P>::load_halo(const Region& region, DomainLoop<P>& domain) const {
     for (int x = lines[0].first; x < lines[0].last; ++x) {
       const auto b = static_cast<std::size_t>(row + wrapped(0, x));
       const bool own = is_own(0, x) && is_own(1, y);
-      for (Index k = starts_[b]; k < starts_[b + 1]; ++k) {
-        if (own || large_.empty() || !is_large(k)) domain.load(k, own);
+      for (Index k = starts[b]; k < starts[b + 1]; ++k) {
+        if (own || large.empty() || !is_large(k)) domain.load(k, own);
       }
     }
   }
-  for (const Large& ball : large_) {
+  for (const auto& ball : large) {
     const int columns = blocks_->count(0);
     if (!is_own(0, ball.block % columns) || !is_own(1, ball.block / columns)) {
       domain.load(ball.memory, false);
@@ -204,7 +132,7 @@ void Domains<P>::keep(Region& region, DomainLoop<P>& domain) {
       if (alone()) continue;
       const Vec<double> at = domain.last_place(k);
       const std::array<double, 2>& middle = domain.window().middle;
-      block_of_[memory] = blocks_->at(middle[0] + at.x, middle[1] + at.y);
+      sort_.set_block(memory, blocks_->at(middle[0] + at.x, middle[1] + at.y));
       outcomes_[memory] = {domain.history(k), domain.displacement(k, at)};
       region.displacement = std::max(region.displacement, outcomes_[memory].displacement);
       region.radius = std::max(region.radius, motion_->species(flight).radius);
@@ -220,7 +148,7 @@ template <class P>
 void Domains<P>::check(Region& region) const {
   region.differs = false;
   const auto near = static_cast<float>(region.displacement + region.radius + normal_radius_ +
-                                       kHaloSlack * spacing_);
+                                       halo_width_.slack());
   for (const Ghost& ghost : region.ghosts) {
     const Outcome& outcome = outcomes_[ghost.memory];
     if (ghost.distance > near + outcome.displacement) continue;
@@ -243,9 +171,9 @@ std::size_t Domains<P>::judge() {
     // Balls that were not loaded.
     const bool far = region.covers || region.reach > region.displacement + farthest +
                                                          region.radius + normal_radius_ +
-                                                         kHaloSlack * spacing_;
+                                                         halo_width_.slack();
     if (far && !region.differs) continue;
-    region.wider *= kWiderAgain;
+    region.wider *= HaloWidth::kWiderAgain;
     ++again_;
     to_solve_.push_back(k);
   }
@@ -253,21 +181,17 @@ std::size_t Domains<P>::judge() {
     tried_again_ += to_solve_.size();
     return kSolve;
   }
-  blocks_known_ = true;
+  sort_.set_known(true);
   double halves = 0;
   for (Region& region : regions_) {
     add_tally(region.tally);
     halves += static_cast<double>(region.tally.ball_halves);
     region.wider = std::max(1.0, region.wider * 0.8);
   }
-  // About one domain in twenty is solved again.
-  const double part = static_cast<double>(tried_again_) / static_cast<double>(regions_.size());
-  const double wider = part > 0.2 ? 1.2 : part > 0.06 ? 1.05 : part > 0 ? 0.99 : 0.98;
-  pyramid_ = std::clamp(pyramid_ * wider, 1.0, 40.0);
+  halo_width_.learn(tried_again_, regions_.size());
   tried_again_ = 0;
-  const double span = motion_->rules().scale.seconds(until_ - from_);
-  if (span > 0) speed_ = farthest / span;
-  adapt(halves);
+  span_.note_farthest(farthest, until_ - from_);
+  span_.learn(halves, until_ - from_);
   return end_window();
 }
 

@@ -17,10 +17,6 @@ inline constexpr std::size_t kBallsOfOneDomain = 20000;
 // The skin of lists, by the mean diameter and the gap between neighbours.
 inline constexpr double kSkinOfDiameter = 0.3;
 inline constexpr double kSkinOfGap = 0.7;
-// How wide a halo is at first beyond the balls followed to the end, in spacings.
-inline constexpr double kFirstPyramid = 4;
-// Of a window: the rate of drag times its length.
-inline constexpr double kMostDrag = 0.1;
 
 template <class P>
 Domains<P>::Domains(const BasicRules<double>& rules)
@@ -48,9 +44,8 @@ void Domains<P>::reset(const std::vector<Disk>& flights, FixedTime now,
   spacing_ = std::sqrt(area / static_cast<double>(std::max<std::size_t>(n, 1)));
   choose_radii(flights);
   decompose();
-  guess_window(flights);
-  pyramid_ = kFirstPyramid;
-  limit_window();
+  span_.begin(gas_of(flights), wanted_longest_);
+  halo_width_.reset({spacing_, normal_radius_});
 }
 
 // All but the largest few balls are normal.
@@ -87,9 +82,8 @@ void Domains<P>::choose_radii(const std::vector<Disk>& flights) {
   }
 }
 
-// Of equal disks by Enskog; the first window tells better.
 template <class P>
-void Domains<P>::guess_window(const std::vector<Disk>& flights) {
+WindowSpan::Gas Domains<P>::gas_of(const std::vector<Disk>& flights) const {
   double square = 0;
   double fastest = 0;
   double diameters = 0;
@@ -107,24 +101,17 @@ void Domains<P>::guess_window(const std::vector<Disk>& flights) {
   const double gravity = std::hypot(rules.gravity[0], rules.gravity[1]);
   const double speed = std::sqrt(square / n + gravity * spacing_);
   const double packing = std::min(covered / (spacing_ * spacing_ * n), 0.8);
-  const double island = (1 - packing / 2) / ((1 - packing) * (1 - packing));
-  const double rate = 3 * speed * (diameters / n) / (spacing_ * spacing_) * island;
-  const FixedTime most = kLongestFlight / 64;
-  window_ = rate > 0 ? rules.scale.ticks(collisions_of_window() / rate) : most;
-  if (rules.drag_rate > 0) {
-    longest_ = rules.scale.ticks(kMostDrag / rules.drag_rate);
-  } else {
-    longest_ = most;
-  }
-  longest_ = std::min(std::clamp<FixedTime>(longest_, 64, most), wanted_longest_);
-  window_ = std::min(window_, longest_);
-  speed_ = std::sqrt(fastest) + gravity * rules.scale.seconds(window_);
+  return {movers_,
+          spacing_,
+          collision_rate(speed, diameters / n, spacing_, packing),
+          std::sqrt(fastest),
+          gravity,
+          rules.drag_rate};
 }
 
 template <class P>
 void Domains<P>::decompose() {
   const std::size_t n = next_.size();
-  const carom::Domain& box = motion_->rules().domain;
   std::size_t wanted = 1;
   if (n >= kBallsOfOneDomain) {
     wanted = static_cast<std::size_t>(static_cast<double>(n) / balls_of_domain_);
@@ -132,32 +119,18 @@ void Domains<P>::decompose() {
   wanted = std::max(wanted, workers_);
   regions_.clear();
   to_solve_.clear();
-  blocks_known_ = false;
   if (wanted == 1) {
     regions_.resize(1);
-    return;
-  }
-  blocks_ = std::make_unique<Blocks>(box, n);
-  const double width = box.upper[0] - box.lower[0];
-  const double height = box.upper[1] - box.lower[1];
-  const double across = std::sqrt(static_cast<double>(wanted) * width / height);
-  const int columns = std::clamp(static_cast<int>(std::lround(across)), 1,
-                                 std::min(blocks_->count(0), static_cast<int>(wanted)));
-  const int rows = std::clamp(static_cast<int>((wanted + static_cast<std::size_t>(columns) - 1) /
-                                               static_cast<std::size_t>(columns)),
-                              1, blocks_->count(1));
-  const auto cut = [](int count, int k, int parts) {
-    return static_cast<int>(static_cast<std::int64_t>(count) * k / parts);
-  };
-  for (int y = 0; y < rows; ++y) {
-    for (int x = 0; x < columns; ++x) {
+  } else {
+    blocks_ = std::make_unique<Blocks>(motion_->rules().domain, n);
+    sort_.reset(*blocks_, workers_);
+    for (const BlockRange& range : cut(*blocks_, wanted)) {
       Region region;
-      region.blocks.first = {cut(blocks_->count(0), x, columns), cut(blocks_->count(1), y, rows)};
-      region.blocks.size = {cut(blocks_->count(0), x + 1, columns) - region.blocks.first[0],
-                            cut(blocks_->count(1), y + 1, rows) - region.blocks.first[1]};
+      region.blocks = range;
       regions_.push_back(std::move(region));
     }
   }
+  span_.set_alone(alone());
 }
 
 }  // namespace carom::event
