@@ -97,6 +97,7 @@ class LoopCore final : public Core {
   /// What drag and sliding have taken from the present flights till now; in domains, since they
   /// began.
   [[nodiscard]] double present_losses() const;
+  void leave_out_present_losses();
   void start();
   void take_flights(const Continuation& from, const std::string& source);
   void collect_log();

@@ -142,6 +142,7 @@ void LoopCore<P>::start() {
     groups_->note_impacts(log_.wanted);
     groups_->reset(disks, now_.ticks, left_, effects_.friction ? spins_ : std::vector<S>{});
     flights_.clear();
+    leave_out_present_losses();
     return;
   }
   loop_ = std::make_unique<EventLoop<P>>(std::move(rules));
@@ -157,7 +158,12 @@ void LoopCore<P>::start() {
   loop_->reset(disks, now_.ticks, left, spins);
   if (log_.wanted) loop_->note_in(&log_);
   flights_.clear();
-  // What was taken from these flights before has been counted already.
+  leave_out_present_losses();
+}
+
+// What these flights have lost before the present is counted when they end.
+template <class P>
+void LoopCore<P>::leave_out_present_losses() {
   lost_before_.add(-present_losses());
 }
 
