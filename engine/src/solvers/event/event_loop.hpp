@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "contact/impact_log.hpp"
-#include "contact/joint_friction.hpp"
 #include "solvers/event/counts.hpp"
 #include "solvers/event/disk.hpp"
 #include "solvers/event/ended_flights.hpp"
@@ -28,6 +27,7 @@
 #include "solvers/event/islands/island_search.hpp"
 #include "solvers/event/islands/island_stepping.hpp"
 #include "solvers/event/jam_watch.hpp"
+#include "solvers/event/joint_impacts.hpp"
 #include "solvers/event/motion.hpp"
 #include "solvers/event/neighbours.hpp"
 #include "solvers/event/prediction.hpp"
@@ -162,8 +162,6 @@ class EventLoop {
   void predict_changed(At now);
   /// `to_predict`: the balls whose next impact is unknown.
   void resolve_group(SimultaneousImpact& group, const std::vector<Index>& to_predict, At now);
-  void note_left(const SimultaneousImpact& group, At now);
-  [[nodiscard]] JointReport resolve(SimultaneousImpact& group, JointRecord<S>* record) const;
   /// What is taken as jammed in vain loses what its contacts have of speed.
   [[nodiscard]] bool gives_up() const { return jam_watch_.level().gives_up(); }
 
@@ -211,6 +209,7 @@ class EventLoop {
       motion_, {disks_, spins_, left_, step_clock_.next()}, neighbours_, ties_};
   TouchSearch<P> touch_search_{
       motion_, {disks_, spins_, neighbours_, prediction_}, pairs_, jam_watch_.level()};
+  JointImpacts<P> joint_impacts_{motion_, {disks_, spins_, left_}};
   SimultaneousChoice<P> choice_{
       motion_, {disks_, prediction_}, {pairs_, resolutions_, ties_, jam_watch_.level()}};
   IslandSearch<P> island_search_{motion_, {disks_, spins_, step_clock_.next()}, neighbours_};
