@@ -36,6 +36,7 @@
 #include "solvers/event/simultaneous_impact.hpp"
 #include "solvers/event/simultaneous_pairs.hpp"
 #include "solvers/event/step_clock.hpp"
+#include "solvers/event/supports.hpp"
 #include "solvers/event/ties.hpp"
 #include "solvers/event/touch_search.hpp"
 #include "state/totals.hpp"
@@ -106,7 +107,7 @@ class EventLoop {
   [[nodiscard]] Costs costs() const { return costs_.total(); }
 
   /// Where contacts rest: who rests on this ball, or carries it, moves again.
-  void wake_around(Index i, At now);
+  void wake_around(Index i, At now) { supports_.wake_around(i, now); }
   /// The energy that gravity has given to islands ahead of what they will have fallen at their next
   /// step.
   [[nodiscard]] double given_ahead(At now) const;
@@ -167,7 +168,6 @@ class EventLoop {
 
   // Contacts that rest: loop_rest_body.hpp.
   void start_resting(At now);
-  void update_support(Index i);
   void schedule_step(At now);
   void settle(Index i, At now);
   [[nodiscard]] bool is_of_island(const SimultaneousImpact& group, At now) const;
@@ -209,6 +209,7 @@ class EventLoop {
       motion_, {disks_, spins_, left_, step_clock_.next()}, neighbours_, ties_};
   TouchSearch<P> touch_search_{
       motion_, {disks_, spins_, neighbours_, prediction_}, pairs_, jam_watch_.level()};
+  Supports<P> supports_{motion_, {disks_, spins_, left_}, neighbours_, counts_, book_};
   JointImpacts<P> joint_impacts_{motion_, {disks_, spins_, left_}};
   SimultaneousChoice<P> choice_{
       motion_, {disks_, prediction_}, {pairs_, resolutions_, ties_, jam_watch_.level()}};

@@ -63,7 +63,7 @@ void EventLoop<P>::meet_alone(Index i, Index partner, At now) {
     const bool along =
         was_left != kUnknown && !nears_ball(motion_, disks_[i], disks_[was_left], now);
     if (!left_.empty()) left_[i] = along ? was_left : kUnknown;
-    update_support(i);
+    supports_.update(i);
     return;
   }
   const typename Motion<P>::Strike strike =
@@ -75,8 +75,8 @@ void EventLoop<P>::meet_alone(Index i, Index partner, At now) {
     left_[i] = motion_.fixed(disks_[partner]) ? partner : kUnknown;
     left_[partner] = kUnknown;
   }
-  update_support(i);
-  update_support(partner);
+  supports_.update(i);
+  supports_.update(partner);
   if (motion_.clusters() && motion_.stay_together(disks_[i], disks_[partner])) {
     ++counts_.resting_contacts;
   }

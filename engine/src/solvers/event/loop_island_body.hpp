@@ -112,7 +112,7 @@ double EventLoop<P>::fly_on(const FoundIsland& island, At now) {
   }
   if (moves) schedule_step(now);
   for (std::size_t m = 0; m < island.members.size(); ++m) {
-    if (island.support[m] < kResting) update_support(island.members[m]);
+    if (island.support[m] < kResting) supports_.update(island.members[m]);
   }
   const double lost = book_.keep();
   changed_.insert(changed_.end(), island.members.begin(), island.members.end());
