@@ -45,7 +45,8 @@ void add_some(IslandBalls& balls, std::mt19937_64& random) {
   for (int k = 0; k < 64; ++k) {
     if (random() % 4 == 0) continue;
     const double x = 1.01 * (k % 8) + jitter(random);
-    const double y = 1.01 * static_cast<double>(k / 8) - 9.5 + 0.01 + jitter(random);
+    const int row = k / 8;
+    const double y = 1.01 * row - 9.5 + 0.01 + jitter(random);
     if (random() % 8 == 0) {
       balls.add_fixed(x, y);
     } else {
@@ -156,7 +157,10 @@ TEST(IslandSearch, HitsOfOneIslandAreOneAndOfOthersApart) {
 /// above at a speed of 1, from 1/128 over it.
 struct Lattice : IslandBalls {
   explicit Lattice(const std::vector<int>& order) : IslandBalls(island_rules(0.5, 0.5)) {
-    for (const int k : order) add(k % 12 - 5, static_cast<double>(k / 12) - 5);
+    for (const int k : order) {
+      const int row = k / 12;
+      add(k % 12 - 5, row - 5);
+    }
     add(0, 7 + 0x1p-7, 0, -1, 0);
     begin();
   }
