@@ -19,10 +19,10 @@ double sum(const std::vector<double>& terms) {
   return sum.rounded();
 }
 
-/// A gas that loses nothing but by drag or friction: on a lattice of places, of any sizes, some
-/// fixed, sometimes one very large ball, sometimes all in step, so that several meet at one
-/// instant.
-Setting draw(unsigned seed, bool drags) {
+/// A gas that loses nothing but by drag or friction, or (`loses`) one that falls and loses energy
+/// in every impact: on a lattice of places, of any sizes, some fixed, sometimes one very large
+/// ball, sometimes all in step, so that several meet at one instant.
+Setting draw(unsigned seed, bool drags, bool loses = false) {
   Draw draw(seed);
   const int columns = draw.whole(6, 30);
   const int rows = draw.whole(6, 30);
@@ -40,7 +40,12 @@ Setting draw(unsigned seed, bool drags) {
   Rules& rules = setting.rules;
   rules.domain = carom::Domain(box, !draw.one_in(5));
   rules.scale = FixedTimeClock(0.25);
-  rules.falls = !drags && draw.one_in(3);
+  rules.falls = !drags && (loses || draw.one_in(3));
+  if (loses) {
+    rules.rests = true;
+    rules.restitution = draw.one_in(3) ? 1 : draw.number(0.5, 1);
+    rules.wall_restitution = draw.number(0.2, 1);
+  }
   if (rules.falls) {
     rules.gravity = {box.periodic[0] || draw.one_in(2) ? 0 : draw.number(-1, 1),
                      box.periodic[1] ? 0 : -5.0};
@@ -119,8 +124,8 @@ struct Seen {
 };
 
 template <class P>
-void compare(unsigned seed, Seen& seen) {
-  const Setting setting = draw(seed, P::Law::kStretches);
+void compare(unsigned seed, bool loses, Seen& seen) {
+  const Setting setting = draw(seed, P::Law::kStretches, loses);
   const std::vector<Disk>& disks = setting.disks;
   EventLoop<P> loop(setting.rules);
   loop.reset(disks, 0, {}, setting.spins);
@@ -166,24 +171,38 @@ void compare(unsigned seed, Seen& seen) {
 }
 
 template <class P>
-void compare_all(unsigned scenes) {
+Seen compare_all(unsigned scenes, bool loses = false) {
   Seen seen;
   for (unsigned seed = 1; seed <= scenes && !testing::Test::HasFailure(); ++seed) {
-    compare<P>(seed, seen);
+    compare<P>(seed, loses, seen);
   }
-  // All of what is rare must have come.
   EXPECT_GT(seen.scenes, scenes * 9 / 10);
+  return seen;
+}
+
+// All of what is rare must have come.
+void expect_all_seen(const Seen& seen, unsigned scenes) {
   EXPECT_GT(seen.windows, 10 * scenes);
   EXPECT_GT(seen.again, scenes / 4);
   EXPECT_LT(seen.stuck, scenes / 2);
 }
 
 TEST(Domains, HaveTheBitsOfOneEventLoop) {
-  compare_all<Ballistic>(150);
+  expect_all_seen(compare_all<Ballistic>(150), 150);
 }
 
 TEST(Domains, HaveTheBitsOfOneEventLoopWithDrag) {
-  compare_all<Drag>(60);
+  expect_all_seen(compare_all<Drag>(60), 60);
+}
+
+// Until a ball comes to rest, which ends a run of domains.
+TEST(Domains, HaveTheBitsOfOneEventLoopWhereBallsFallAndLoseEnergy) {
+  constexpr unsigned kScenes = 100;
+  const Seen seen = compare_all<Ballistic>(kScenes, true);
+  EXPECT_GT(seen.windows, 10 * kScenes);
+  EXPECT_GT(seen.again, kScenes / 4);
+  EXPECT_GT(seen.stuck, 4U) << "nothing has come to rest";
+  EXPECT_LT(seen.stuck, 4 * kScenes / 2);
 }
 
 // For a sanitizer of threads: what a phase reads is not written in it.

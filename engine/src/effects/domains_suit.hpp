@@ -15,8 +15,8 @@ inline bool domains_suit(const Effects& effects, const std::array<bool, 2>& peri
                          bool rests) {
   if (!effects.collisions || effects.attraction) return false;
   const bool loses = loses_energy(effects);
-  // What comes to rest is an island, which may reach through all domains.
-  if (rests && (effects.gravity || !loses)) return false;
+  // Where nothing takes energy, what rests touches from the start.
+  if (rests && !loses) return false;
   const bool bends = effects.gravity || effects.drag;
   if (bends && fixed) return false;
   // What drag takes is known by the time alone where nothing else takes energy.

@@ -12,7 +12,7 @@ template <class P>
 double LoopCore<P>::present_losses() const {
   if (!motion().loses_in_flight()) return 0;
   if constexpr (kShares) {
-    if (domains_) {
+    if (domains_ && effects_.drag) {
       const double epochs = now_.epoch - domains_began_.epoch;
       const double seconds = scale_.seconds(now_.ticks) - scale_.seconds(domains_began_.ticks) +
                              epochs * scale_.seconds(P::Clock::epoch());

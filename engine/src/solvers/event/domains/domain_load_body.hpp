@@ -22,6 +22,7 @@ DomainLoop<P>::DomainLoop(const Motion<P>& motion, double normal_radius)
       normal_radius_(normal_radius),
       bends_(motion.bends()),
       walls_(motion.box().solid(0) || motion.box().solid(1)),
+      contacts_last_(motion.contacts_last()),
       approach_({0, 0}, 1, nullptr, 0) {
   smallest_radius_ = never<double>();
   for (const auto& species : motion.rules().all_species) {
@@ -120,6 +121,7 @@ bool DomainLoop<P>::start() {
   queue_.reset(n, window_.until - window_.from + 1, window_.collisions / 2);
   lists_.reset(n);
   sort_into_slots();
+  if (contacts_last_ && any_rests()) return false;
   const double slack = kSlackOfRadius * smallest_radius_ +
                        kSlackOfBox * (std::abs(window_.middle[0]) + window_.loaded[0] +
                                       std::abs(window_.middle[1]) + window_.loaded[1]);
@@ -127,6 +129,17 @@ bool DomainLoop<P>::start() {
   list_all();
   first_events();
   return !unusual_;
+}
+
+// What begins now may lie on a wall already.
+template <class P>
+bool DomainLoop<P>::any_rests() const {
+  for (std::size_t k = 0; k < flights_.size(); ++k) {
+    if (motion_.fixed(flights_[k])) continue;
+    if (!motion_.flies(flights_[k])) return true;
+    if (flights_[k].start == window_.from && rests_on_wall(static_cast<Slot>(k))) return true;
+  }
+  return false;
 }
 
 template <class P>

@@ -55,8 +55,8 @@ inline float not_later(double time) {
 /// most predictions is never.
 ///
 /// What is rare is not done here: impacts of one instant that share a ball, or that are passed on
-/// at once, and impacts after which two balls stay together.  Then the window is to be solved by
-/// EventLoop from the same flights.
+/// at once, and impacts after which two balls stay together or a wall supports one.  Then the
+/// window is to be solved by EventLoop from the same flights.
 ///
 /// Source: B. Lubachevsky, J. Comput. Phys. 94 (1991) 255: one event a ball.
 template <class P>
@@ -160,6 +160,7 @@ class DomainLoop {
   // Loading: domain_load_body.hpp.
   [[nodiscard]] Path path_at_start(const BlockFlight& flight) const;
   void sort_into_slots();
+  [[nodiscard]] bool any_rests() const;
   void list_all();
   void link(Slot i, Slot j);
   void first_events();
@@ -177,6 +178,10 @@ class DomainLoop {
   void handle(Slot i, FixedTime now);
   void time_event(Slot i, FixedTime now);
   void meet(Slot i, Slot j, FixedTime now);
+  /// Whether an impact of the two begins a contact that lasts.
+  [[nodiscard]] bool sticks(Slot i, Slot j, FixedTime now) const;
+  /// Whether the flight that has just begun is one that a wall supports.
+  [[nodiscard]] bool rests_on_wall(Slot i) const;
   void fly_on(Slot i, FixedTime now);
   [[nodiscard]] Vec<double> ahead(const Vec<double>& v) const;
   void choose_circle(Slot i, FixedTime now);
@@ -201,6 +206,7 @@ class DomainLoop {
   double smallest_radius_ = 0;
   bool bends_;
   bool walls_;
+  bool contacts_last_;  ///< gravity presses balls together that may come to rest
   bool mixed_ = false;
   bool tracked_ = false;  ///< there may be a halo
   DomainWindow window_;

@@ -74,9 +74,25 @@ template <class P>
       ++tally_.walls;
       if (lost > 0) tally_.lost.push_back(lost);
     }
+    if (contacts_last_ && rests_on_wall(i)) unusual_ = true;
   }
   fly_on(i, now);
   predict(i, now);
+}
+
+template <class P>
+[[gnu::noinline]] bool DomainLoop<P>::sticks(Slot i, Slot j, FixedTime now) const {
+  const Vec<double> r =
+      motion_.way(motion_.place(flights_[i], now), motion_.place(flights_[j], now));
+  return motion_.sticks(flights_[i], flights_[j], r, now);
+}
+
+template <class P>
+[[gnu::noinline]] bool DomainLoop<P>::rests_on_wall(Slot i) const {
+  Disk disk = flights_[i].disk();
+  double spin = spins_.empty() ? 0 : spins_[i];
+  (void)motion_.support_on_walls(disk, spins_.empty() ? nullptr : &spin);
+  return motion_.support(disk) != 0;
 }
 
 // An impact counts where its balls are owned; the energy it takes, where the one of the lower
@@ -93,9 +109,11 @@ template <class P>
   }
   const bool clusters = motion_.clusters();
   if (clusters && moves && motion_.collapses(flights_[i], flights_[j], now)) unusual_ = true;
+  if (contacts_last_ && sticks(i, j, now)) unusual_ = true;
   const typename Motion<P>::Strike strike =
       motion_.strike(flights_[i], spin_of(i), flights_[j], spin_of(j), now);
   if (clusters && motion_.stay_together(flights_[i], flights_[j])) unusual_ = true;
+  if (contacts_last_ && (rests_on_wall(i) || rests_on_wall(j))) unusual_ = true;
   const bool own_i = sides_[i].own;
   const bool own_j = moves ? bool{sides_[j].own} : own_i;
   if (own_i || own_j) {

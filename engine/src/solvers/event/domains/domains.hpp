@@ -84,7 +84,8 @@ class Domains {
   [[nodiscard]] Costs costs() const;
   /// The energy that impacts have taken since `reset`; nothing of what drag takes.
   [[nodiscard]] std::vector<double> losses() const;
-  /// Windows are so often none for domains that another way is faster.
+  /// Windows are so often none for domains that another way is faster, or a ball has come to rest,
+  /// which only the other ways go on with.
   [[nodiscard]] bool stuck() const { return stuck_; }
 
   [[nodiscard]] std::uint64_t windows() const { return windows_; }
@@ -138,6 +139,8 @@ class Domains {
   void solve_alone(Workspace& workspace);
   [[nodiscard]] std::size_t end_window();
   void solve_by_one_loop();
+  /// Whether something carries a ball at the end of the window: domains know of no such balls.
+  [[nodiscard]] bool any_rests() const;
   void close_window();
   void number_balls() const;  // domains_state_body.hpp
 

@@ -91,6 +91,7 @@ std::size_t Domains<P>::finish(std::size_t phase) {
   }
   if (by_one_loop_) {
     by_one_loop_ = false;
+    stuck_ = any_rests();
     return end_window();
   }
   if (phase == kCheck) return judge();
@@ -185,6 +186,14 @@ void Domains<P>::solve_by_one_loop() {
   // What drag takes follows from the time alone, and nothing else loses energy beside it.
   if (motion_->rules().drag_rate > 0) return;
   for (const double lost : loop.take_lost()) lost_.add(lost);
+}
+
+template <class P>
+bool Domains<P>::any_rests() const {
+  if (!motion_->contacts_last()) return false;
+  return std::any_of(next_.begin(), next_.end(), [this](const BlockFlight& flight) {
+    return !motion_->fixed(flight) && !motion_->flies(flight);
+  });
 }
 
 template <class P>
