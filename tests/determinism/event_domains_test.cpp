@@ -127,6 +127,15 @@ Scene collapsing() {
   return scene;
 }
 
+// What falls is solved in domains until the first ball comes to rest.
+Scene raining(double friction) {
+  Scene scene = granular(test::walled_gas(40, 12, 0.2), 0.7);
+  scene.effects.walls->restitution = 0.3;
+  scene.effects.gravity = Gravity{{0.1, -4}};
+  if (friction > 0) scene.effects.friction = Friction{friction, friction};
+  return scene;
+}
+
 std::vector<Case> cases() {
   return {{"gas", test::gas(36, 40, 0.5), 1},
           {"thin gas", test::gas(36, 40, 0.05), 8},
@@ -138,7 +147,9 @@ std::vector<Case> cases() {
           {"bullet", bullet(), 0.2},
           {"granular", granular(test::gas(30, 34, 0.5), 0.8), 2},
           {"granular and walled", granular(test::walled_gas(30, 34, 0.6), 0.5), 1.5},
-          {"collapsing", collapsing(), 0.2}};
+          {"collapsing", collapsing(), 0.2},
+          {"raining", raining(0), 2.5},
+          {"raining, with friction", raining(0.4), 2.5}};
 }
 
 TEST(EventDomains, OfAnyNumberOfWorkersGiveTheBitsOfOneEventLoop) {
@@ -146,6 +157,9 @@ TEST(EventDomains, OfAnyNumberOfWorkersGiveTheBitsOfOneEventLoop) {
   for (const Case& c : cases()) {
     const Outcome expected = run(c, {0});
     EXPECT_GT(expected.ball_ball, 100U) << c.name;
+    if (c.scene.effects.gravity && loses_energy(c.scene)) {
+      EXPECT_GT(expected.resting_contacts, 0U) << c.name;
+    }
     for (const std::size_t workers : {1, 2, 3, 7}) {
       EXPECT_EQ(run(c, {workers}, &again), expected) << c.name << ", " << workers << " workers";
       EXPECT_EQ(run(c, {workers, 2}, &again), expected)
