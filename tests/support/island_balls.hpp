@@ -60,7 +60,7 @@ struct IslandBalls {
   /// The island of a ball, at the start.
   [[nodiscard]] FoundIsland<double> around(Index ball) {
     begin();
-    return search.around(ball, 0);
+    return search.of_step({ball}, 0, 0).front();
   }
 };
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -124,6 +126,46 @@ TEST(IslandImpact, WhatIsAtAWallIsExactlyThereAndDoesNotGoIntoIt) {
   EXPECT_EQ(after.island.places[0].y, -9.5);
   EXPECT_EQ(after.velocity(0).y, 0);
   EXPECT_LT(after.island.lifted, 0);
+}
+
+/// A square lattice of 12 by 12 balls that touch, and ball 144, which comes to ball 137 from 1/32
+/// above it, at 1.
+IslandBalls& add_heap(IslandBalls& balls) {
+  for (int k = 0; k < 144; ++k) {
+    const int row = k / 12;
+    balls.add(k % 12 - 5, row - 5);
+  }
+  balls.add(0, 7 + 0x1p-5, 0, -1, 0);
+  balls.next_step = balls.motion.rules().scale.ticks(0x1p-4);
+  return balls;
+}
+
+// It will come at v, v^2 = 1 + 2 / 32, leave at e v, and be slower, u^2 = e^2 v^2 - 2 / 32, when it
+// is where it is now: as fast as that it leaves at once, less what gravity makes till the step.
+TEST(IslandImpact, WhatComesToManyIsTurnedRoundAsFastAsItWillBeOnItsWayBack) {
+  IslandBalls balls(island_rules(0.5, 0.25));
+  const Hit after = hit(add_heap(balls), {0}, 0x1p-4);
+  EXPECT_EQ(after.change.counts.ball_ball, 1U);
+  EXPECT_EQ(after.support(144), kStepped);
+  const double back = std::sqrt(0.25 * (1 + 0x1p-4) - 0x1p-4) - 0x1p-4;
+  EXPECT_NEAR(after.velocity(144).y - after.velocity(137).y, back, 1e-3);
+  EXPECT_GT(after.change.carried.lost, 0);
+}
+
+// All fall by a step as well, and the impact passes on what the ball brings.
+TEST(IslandImpact, AStepAtTheSameTimeGivesGravityToAll) {
+  IslandBalls balls(island_rules(0.5, 0.5));
+  add_heap(balls);
+  balls.begin();
+  const IslandImpact<Ballistic> impact(balls.motion, balls.disks, balls.impulses);
+  Island island = balls.search.of_step({0}, 0, balls.next_step).front();
+  const IslandChange change = impact.resolve(island, 0x1p-4, 0, true);
+  EXPECT_EQ(change.counts.steps, 1U);
+  EXPECT_EQ(change.counts.ball_ball, 1U);
+  double momentum = 0;
+  for (const ConeBody& body : island.bodies) momentum += body.velocity.y;
+  EXPECT_NEAR(momentum, -1 - 145 * 0x1p-4, 1e-9);
+  EXPECT_EQ(std::count(island.support.begin(), island.support.end(), kStepped), 145);
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST(IslandSearch, FindsAllThatCanBeReachedOverNearContactsOfIslands) {
           }
         }
       }
-      const Island island = balls.search.around(first, 0);
+      const Island island = balls.search.of_step({first}, 0, 0).front();
       EXPECT_EQ(members_of(island), members);
       EXPECT_EQ(contacts_of(island), contacts);
       most = std::max(most, members.size());
@@ -150,18 +150,18 @@ TEST(IslandSearch, HitsOfOneIslandAreOneAndOfOthersApart) {
   for (const Island& island : islands) all.insert(members_of(island));
   EXPECT_EQ(all, (std::set<std::set<Index>>{{0, 1, 2, 3, 4, 7, 8}, {5, 6}, {9, 10}}));
   // Later they are of none again.
-  EXPECT_EQ(members_of(balls.search.around(9, 0)), (std::set<Index>{9}));
+  EXPECT_EQ(members_of(balls.search.of_step({9}, 0, 0).front()), (std::set<Index>{9}));
 }
 
 /// A square lattice of 12 by 12 balls that touch, numbered in this order, and one that comes from
-/// above at a speed of 1, from 1/128 over it.
+/// above at a speed of 1, from 1/32 over it.
 struct Lattice : IslandBalls {
   explicit Lattice(const std::vector<int>& order) : IslandBalls(island_rules(0.5, 0.5)) {
     for (const int k : order) {
       const int row = k / 12;
       add(k % 12 - 5, row - 5);
     }
-    add(0, 7 + 0x1p-7, 0, -1, 0);
+    add(0, 7 + 0x1p-5, 0, -1, 0);
     begin();
   }
 };
@@ -175,13 +175,13 @@ std::vector<int> in_order() {
 TEST(IslandSearch, NumberingDoesNotChangeAnIslandOfManyContacts) {
   std::vector<int> order = in_order();
   Lattice first(order);
-  const Island wanted = first.search.around(0, 0);
+  const Island wanted = first.search.of_step({0}, 0, 0).front();
   ASSERT_EQ(wanted.contacts.size(), 2U * 12 * 11);
   std::mt19937_64 random(2);
   for (int round = 0; round < 5; ++round) {
     std::shuffle(order.begin(), order.end(), random);
     Lattice balls(order);
-    const Island island = balls.search.around(static_cast<Index>(round), 0);
+    const Island island = balls.search.of_step({static_cast<Index>(round)}, 0, 0).front();
     ASSERT_EQ(island.members.size(), wanted.members.size());
     for (std::size_t m = 0; m < island.places.size(); ++m) {
       EXPECT_EQ(island.places[m], wanted.places[m]);
@@ -197,20 +197,122 @@ TEST(IslandSearch, NumberingDoesNotChangeAnIslandOfManyContacts) {
   }
 }
 
-// It falls through the gap in 1/128 of a second at a speed of 1, before the next step or after it.
-TEST(IslandSearch, WhatComesToManyBeforeTheNextStepIsOfTheHit) {
-  for (const double step : {0x1p-6, 0x1p-8}) {
+// It falls through the gap in 1/32 of a second at a speed of 1, before the next step or after it.
+TEST(IslandSearch, WhatComesToManyBeforeTheNextStepIsOfThem) {
+  for (const double step : {0x1p-4, 0x1p-6}) {
     Lattice balls(in_order());
     balls.next_step = balls.motion.rules().scale.ticks(step);
-    const bool comes = step > 0x1p-7;
-    const auto islands = balls.search.of_hits({{0}}, 0);
+    const bool comes = step > 0x1p-5;
+    for (const bool hit : {true, false}) {
+      const auto islands =
+          hit ? balls.search.of_hits({{0}}, 0) : balls.search.of_step({0}, 0, balls.next_step);
+      ASSERT_EQ(islands.size(), 1U);
+      const Island& island = islands.front();
+      EXPECT_EQ(members_of(island).count(144) == 1, comes);
+      EXPECT_EQ(std::count_if(island.near.begin(), island.near.end(),
+                              [](const Island::Near& near) { return near.comes; }),
+                comes ? 1 : 0);
+      for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+        if (!island.near[k].comes) continue;
+        EXPECT_NEAR(island.contacts[k].gap, 0x1p-5, 1e-9);
+      }
+    }
+  }
+}
+
+// It passes the corner ball at (6, 6): when they meet it is half a diameter beside it, at 60
+// degrees, and until then it is farther away that way than it is from touching.
+TEST(IslandSearch, WhatComesIsAsFarAwayAsItIsTheWayItWillBeThen) {
+  Lattice balls(in_order());
+  const Vec<double> then{6.5, 6 + std::sqrt(0.75)};
+  const double age = 0x1p-6;
+  const Index ball = balls.add(then.x - 3 * age, then.y + 2 * age + age * age / 2, 3, -2, 0);
+  balls.begin();
+  const auto islands = balls.search.of_step({0}, 0, balls.motion.rules().scale.ticks(2 * age));
+  ASSERT_EQ(islands.size(), 1U);
+  const Island& island = islands.front();
+  ASSERT_EQ(members_of(island).count(ball), 1U);
+  const auto is_of_it = [&](const ConeContact& c) {
+    return c.b != kWall && (island.members[static_cast<std::size_t>(c.a)] == ball ||
+                            island.members[static_cast<std::size_t>(c.b)] == ball);
+  };
+  ASSERT_EQ(std::count_if(island.contacts.begin(), island.contacts.end(), is_of_it), 1);
+  const auto k = static_cast<std::size_t>(
+      std::find_if(island.contacts.begin(), island.contacts.end(), is_of_it) -
+      island.contacts.begin());
+  EXPECT_TRUE(island.near[k].comes);
+  const ConeContact& c = island.contacts[k];
+  const double side = island.members[static_cast<std::size_t>(c.b)] == ball ? 1 : -1;
+  EXPECT_NEAR(side * c.normal.x, 0.5, 1e-9);
+  EXPECT_NEAR(side * c.normal.y, std::sqrt(0.75), 1e-9);
+  EXPECT_NEAR(c.gap, std::sqrt(0.75) * (2 * age + age * age / 2) - 0.5 * 3 * age, 1e-9);
+}
+
+// The second is near to the first only; the third, which does not move, is farther away.
+TEST(IslandSearch, WhatFliesNearToManyIsOfThemAndWhatIsNearToThat) {
+  Lattice balls(in_order());
+  balls.add(3, 7 + 0x1p-7, 0, 0, 0);
+  balls.add(3, 8 + 0x1p-6, 0, 0, 0);
+  balls.add(-3, 7 + 0x1p-4, 0, 0, 0);
+  balls.begin();
+  const FixedTime soon = balls.motion.rules().scale.ticks(0x1p-10);
+  const std::set<Index> with = members_of(balls.search.of_step({0}, 0, soon).front());
+  EXPECT_EQ(with.count(145) + with.count(146), 2U);
+  EXPECT_EQ(with.count(147), 0U);
+  EXPECT_EQ(members_of(balls.search.of_step({0}, 0, 0).front()).count(145), 0U);
+}
+
+// One flies to a fixed ball and the wall behind it, from 1/256 off both, the other away from them.
+TEST(IslandSearch, WhatFliesNearToManyToWhatNeverMovesComesToIt) {
+  for (const double speed : {1.0, -1.0}) {
+    Lattice balls(in_order());
+    // Four more lead from it to the corner of the lattice at (6, -5).
+    const double lowest = -9.5 + 0x1p-8;
+    const double up = (-5 - lowest) / 5;
+    const double aside = std::sqrt((1 + 0x1p-8) * (1 + 0x1p-8) - up * up);
+    const Index flies = balls.add(6 + aside, lowest, speed, -speed, 0);
+    for (int k = 1; k < 5; ++k) balls.add(k % 2 == 0 ? 6 + aside : 6, lowest + k * up);
+    const Index fixed = balls.add_fixed(7 + aside + 0x1p-8, lowest);
+    balls.begin();
+    const FixedTime soon = balls.motion.rules().scale.ticks(0x1p-6);
+    const Island island = balls.search.of_step({0}, 0, soon).front();
+    ASSERT_EQ(members_of(island).count(flies), 1U);
+    int found = 0;
+    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+      const Index partner = island.near[k].partner;
+      if (island.members[static_cast<std::size_t>(island.contacts[k].a)] != flies) continue;
+      if (island.contacts[k].b != kWall) continue;
+      EXPECT_TRUE(partner == fixed || partner == kWalls + 2);
+      EXPECT_EQ(island.near[k].comes, speed > 0) << partner;
+      ++found;
+    }
+    EXPECT_EQ(found, 2);
+  }
+}
+
+TEST(IslandSearch, WhatFliesNearToFewIsNotOfThem) {
+  IslandBalls balls(island_rules(0.5, 0.5));
+  for (int k = 0; k < 5; ++k) balls.add(k, 0);
+  balls.add(2, 1 + 0x1p-7, 0, -1, 0);
+  balls.begin();
+  const FixedTime later = balls.motion.rules().scale.ticks(0x1p-4);
+  EXPECT_EQ(members_of(balls.search.of_step({0}, 0, later).front()).size(), 5U);
+}
+
+// Two balls that are of another island are near to what flies near to many: found before or after.
+TEST(IslandSearch, IslandsOfAStepHaveNoBallInCommon) {
+  Lattice balls(in_order());
+  balls.add(3, 7 + 0x1p-7, 0, 0, 0);
+  const Index small = balls.add(3, 8 + 0x1p-6);
+  balls.add(4, 8 + 0x1p-6);
+  balls.begin();
+  const FixedTime soon = balls.motion.rules().scale.ticks(0x1p-10);
+  for (const bool first : {true, false}) {
+    const std::vector<Index> of =
+        first ? std::vector<Index>{small, 0} : std::vector<Index>{0, small};
+    const auto islands = balls.search.of_step(of, 0, soon);
     ASSERT_EQ(islands.size(), 1U);
-    const Island& island = islands.front();
-    EXPECT_EQ(members_of(island).count(144) == 1, comes);
-    EXPECT_EQ(std::count_if(island.near.begin(), island.near.end(),
-                            [](const Island::Near& near) { return near.comes; }),
-              comes ? 1 : 0);
-    EXPECT_EQ(members_of(balls.search.around(0, 0)).count(144), 0U);  // only hits look ahead
+    EXPECT_EQ(islands.front().members.size(), 147U);
   }
 }
 

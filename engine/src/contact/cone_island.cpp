@@ -11,8 +11,6 @@ namespace {
 
 /// How often the slip is looked at again, with what its contacts carry then.
 constexpr int kSlides = 3;
-/// What may open so is not looked at again, in goals.
-constexpr double kOpens = 256;
 
 }  // namespace
 
@@ -34,7 +32,7 @@ void ConeIsland::solve(double goal) {
 // A contact that slides would open by the coefficient times its slip.  One with something that
 // never moves, which slid before, too, is given that much to close: what is thrown along a floor
 // stays on it.
-void ConeIsland::close_slides(double goal) {
+void ConeIsland::close_slides(double goal, double opens) {
   const std::size_t size = response_.size();
   Column given(size, 0);
   const auto slip = [this, size](std::size_t k) {
@@ -50,19 +48,19 @@ void ConeIsland::close_slides(double goal) {
       double now = std::min(before, slip(k));
       if (round > 0) now = std::min(now, given[k]);
       // What stops sliding would sink in by as much: in the end it is given nothing.
-      if (round + 1 == kSlides && given[k] - now > kOpens * goal) now = 0;
+      if (round + 1 == kSlides && given[k] - now > opens) now = 0;
       const double more = now - given[k];
       most = std::max(most, std::abs(more));
       given[k] = now;
       parting_[k] += more;
       parting_[size + k] += more;
     }
-    if (!(most > kOpens * goal)) return;
+    if (!(most > opens)) return;
     solve(goal);
   }
 }
 
-std::vector<double> ConeIsland::resolve(Bodies& motion, double rate, double goal, bool slides) {
+std::vector<double> ConeIsland::resolve(Bodies& motion, double rate, double goal, double opens) {
   const std::size_t size = response_.size();
   std::vector<ConeResponse::Total>& totals = response_.totals();
   for (std::size_t k = 0; k < motion.size(); ++k) {
@@ -79,7 +77,7 @@ std::vector<double> ConeIsland::resolve(Bodies& motion, double rate, double goal
   }
   std::fill(impulses_.begin(), impulses_.end(), 0);
   solve(goal);
-  if (slides && response_.has_friction()) close_slides(goal);
+  if (opens > 0 && response_.has_friction()) close_slides(goal, opens);
   response_.pass_on(impulses_.data());
   for (std::size_t k = 0; k < motion.size(); ++k) {
     motion[k].velocity = motion[k].velocity + Vec<double>{totals[k].x, totals[k].y};

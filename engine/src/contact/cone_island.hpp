@@ -35,14 +35,15 @@ class ConeIsland {
 
   /// Changes the motion of the bodies; contacts may close by `rate` times their gap.  What remains
   /// of the speeds that should be stopped is at most `goal`.  Gives the normal impulses of the
-  /// contacts.  `slides`: what slides on along something that never moves does not open.
-  std::vector<double> resolve(Bodies& motion, double rate, double goal, bool slides = false);
+  /// contacts.  `opens`: what slides on along something that never moves opens no faster than about
+  /// that; 0: by its slip.
+  std::vector<double> resolve(Bodies& motion, double rate, double goal, double opens = 0);
 
  private:
   using Column = ConeResponse::Column;
 
   void solve(double goal);
-  void close_slides(double goal);
+  void close_slides(double goal, double opens);
 
   const Contacts& contacts_;
   ConeResponse response_;

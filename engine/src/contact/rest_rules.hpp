@@ -49,14 +49,16 @@ namespace carom::event {
 // lose energy or there is drag, one is within 2^-16 of its diameter of a wall and both have been
 // hit within 2^-16 instead of 2^-12; or, where there is drag, one is fixed and the other comes at
 // less than 2^-12 sqrt(s g). A harder impact on an island is resolved for all of it at once: by the
-// least impulses after which it parts e times as fast as it came and nothing closes.  Where an
-// island has more than kFewContacts contacts, what comes to it before its next step, and is within
-// kAhead of it, is resolved with the impact, that much too early: a step of a large heap sees many.
-// A ball that nothing in the island carries leaves it. An island gains no energy, counted without
-// what gravity has given it ahead of its fall.  Where nothing loses energy along a normal, a step
-// holds only what approaches no faster than 2 h (g + u^2 / s), u the slip, as gravity and the
-// turning normal of a contact that lasts make it; what comes faster, or to a wall, is an impact at
-// its own time.
+// least impulses after which it parts e times as fast as it came and nothing closes.  A step of a
+// large heap sees many: to an island of more than kFewContacts contacts belong, from each of its
+// steps and impacts to the next step, also the balls that fly near to it, those that will meet one
+// of it before that, from within kAhead, and such as do so with these.  Two that will meet by then
+// bounce at once, so fast as they will be when they are back where they are, or are held from
+// closing if they would not get there, and so are near ones that this drives together.  A ball that
+// nothing in the island carries leaves it. An island gains no energy, counted without what gravity
+// has given it ahead of its fall.  Where nothing loses energy along a normal, a step holds only
+// what approaches no faster than 2 h (g + u^2 / s), u the slip, as gravity and the turning normal
+// of a contact that lasts make it; what comes faster, or to a wall, is an impact at its own time.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of
@@ -106,9 +108,9 @@ inline constexpr double kTouching = 0x1p-31;
 /// looks at together, as a part of their contact's distance.
 inline constexpr double kStep = 0x1p-5;
 inline constexpr double kNear = 0x1p-6;
-/// Rule 3: how near are those that come to an island of many contacts before its next step, and are
-/// resolved with an impact on it.
-inline constexpr double kAhead = 0x1p-6;
+/// Rule 3: how near are those that will meet a ball of an island of many contacts before its next
+/// step, and bounce ahead of that.
+inline constexpr double kAhead = 0x1p-3;
 /// An instant with more contacts than this is one of an island.
 inline constexpr int kManyContacts = 16;
 
@@ -117,6 +119,8 @@ inline constexpr int kManyContacts = 16;
 inline constexpr double kStill = 0x1p-10;
 inline constexpr double kLoaded = 0x1p-10;
 inline constexpr double kSolved = 0x1p-12;
+/// Rule 3, in the same parts: what slides along something that never moves opens no faster.
+inline constexpr double kOpens = 0x1p-4;
 /// Rule 4: what forces hold is moved no faster by a step; of so many balls at most that is asked.
 inline constexpr double kHeld = 0x1p-22;
 inline constexpr std::size_t kFewHeld = 16;

@@ -55,13 +55,15 @@ void EventLoop<P>::step_islands(At now) {
   for (Index i = 0; i < disks_.size(); ++i) {
     if (!motion_.fixed(disks_[i]) && motion_.support(disks_[i]) >= kStepped) all.push_back(i);
   }
-  std::vector<char> stepped(disks_.size(), 0);
+  const Time span = P::Clock::span(1, motion_.step_shift());
+  const double way = motion_.stepped_way(motion_.rules().scale.seconds(span));
   resolutions_.begin();
-  for (const Index i : all) {
-    if (stepped[i] != 0) continue;
-    FoundIsland island = island_search_.around(i, now);
-    for (const Index m : island.members) stepped[m] = 1;
-    take_on(island, island_stepping_.step(island), now);
+  for (FoundIsland& island : island_search_.of_step(all, now, Time(now + span))) {
+    const bool hit = std::any_of(island.near.begin(), island.near.end(),
+                                 [](const auto& near) { return near.comes; });
+    take_on(island,
+            hit ? island_impact_.resolve(island, way, now, true) : island_stepping_.step(island),
+            now);
   }
   begin_simultaneous();  // what comes now takes no step back
   predict_changed(now);

@@ -10,7 +10,7 @@
 namespace carom::event {
 
 /// Balls of a contact that lasts may be so much farther apart than those that touch.
-inline constexpr double kWidest = 1 + 2 * kNear;
+inline constexpr double kWidest = 1 + 2 * kAhead;
 
 /// Whether the paths of two balls meet in a window.
 template <class P>

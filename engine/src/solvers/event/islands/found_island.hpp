@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "contact/cone_island.hpp"
 #include "numbers/scalar.hpp"
 #include "solvers/event/counts.hpp"
 #include "solvers/event/disk.hpp"
@@ -25,6 +26,12 @@ struct FoundIsland : IslandMotion {
   std::vector<Near> near;  ///< by contact
   double deepest = 0;      ///< overlap of two balls / smaller radius
 };
+
+/// Whether it has many contacts: what comes to it is resolved ahead of its time.
+template <class S>
+bool is_large(const FoundIsland<S>& island) {
+  return island.contacts.size() > kFewContacts;
+}
 
 /// What an impact or a step has done to an island, beside the motion of its balls.
 struct IslandChange {

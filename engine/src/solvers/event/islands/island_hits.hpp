@@ -17,7 +17,7 @@ struct IslandHits {
   std::vector<char> stays;    ///< by member: it is of the island afterwards
   std::vector<char> counted;  ///< by contact: it is an impact
   std::vector<char> parts;    ///< by contact: it is one that bounces
-  double restitution = 1;     ///< the least of those that bounce
+  double restitution = 1;     ///< the least of those that bounce; of an island of few contacts
   double fastest = 0;         ///< approach, of all contacts; at least what gravity makes in a step
   bool bounces = false;
   std::uint64_t walls = 0;
@@ -26,10 +26,11 @@ struct IslandHits {
   [[nodiscard]] std::uint64_t all() const { return walls + balls; }
 };
 
-/// `disks`: the flights of all balls.
+/// `disks`: the flights of all balls.  `steps`: of a step, in which what touches is held, only what
+/// comes.
 template <class P>
 IslandHits hits_of(const Motion<P>& motion, const HugeVector<typename P::Disk>& disks,
-                   const FoundIsland<typename P::Scalar>& island, typename P::At now) {
+                   const FoundIsland<typename P::Scalar>& island, typename P::At now, bool steps) {
   using S = typename P::Scalar;
   IslandHits hits;
   hits.stays.resize(island.members.size(), 0);
@@ -43,7 +44,7 @@ IslandHits hits_of(const Motion<P>& motion, const HugeVector<typename P::Disk>& 
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const ConeContact& c = island.contacts[k];
     const auto& near = island.near[k];
-    if (island.touches[k] == 0 && !near.comes) continue;
+    if (!near.comes && (steps || island.touches[k] == 0)) continue;
     const auto a = static_cast<std::size_t>(c.a);
     const double speed = approach(island, k);
     if (speed < -kStill * speed_of_step) continue;

@@ -29,8 +29,9 @@ class IslandImpact {
                const IslandImpulses<P>& impulses)
       : motion_(motion), disks_(disks), impulses_(impulses) {}
 
-  /// `span`: how far a speed of 1 goes until the next step, seconds; 0: there is none.
-  IslandChange resolve(Island& island, double span, At now) const;
+  /// `span`: how far a speed of 1 goes until the next step, seconds; 0: there is none.  `steps`: a
+  /// step is made at the same time, and only what comes before the next one is an impact.
+  IslandChange resolve(Island& island, double span, At now, bool steps = false) const;
 
  private:
   struct Reflection {
@@ -39,11 +40,15 @@ class IslandImpact {
   };
   Reflection reflect(Island& island, IslandHits& hits) const;
   void note_who_stays(const Island& island, IslandHits& hits) const;
+  /// How fast contact `k`, which bounces, is to part.
+  [[nodiscard]] double parting(const Island& island, std::size_t k, const IslandHits& hits,
+                               double span) const;
   /// Who is of the island from now on.  Adds those that were at rest to `woken`.
-  void give_support(Island& island, const IslandHits& hits, double span,
+  void give_support(Island& island, const IslandHits& hits, double span, bool steps,
                     std::vector<Index>& woken) const;
   void put_on_walls(Island& island) const;
-  void hold_on(Island& island, double span, double goal, std::vector<double>& loads) const;
+  void hold_on(Island& island, double span, double goal, std::vector<double>& loads,
+               double opens) const;
 
   const Motion<P>& motion_;
   const HugeVector<Disk>& disks_;

@@ -90,11 +90,11 @@ void IslandImpact<P>::put_on_walls(Island& island) const {
 
 // What leaves an island, and still comes nearer to what it touches, stays.
 template <class P>
-void IslandImpact<P>::hold_on(Island& island, double span, double goal,
-                              std::vector<double>& loads) const {
+void IslandImpact<P>::hold_on(Island& island, double span, double goal, std::vector<double>& loads,
+                              double opens) const {
   const Vec<double> g = in_double(motion_.law().pull());
   for (bool more = true; more;) {
-    impulses_.press(island, span, goal, loads);
+    impulses_.press(island, span, goal, loads, opens);
     more = false;
     for (std::size_t k = 0; k < island.contacts.size() && !motion_.elastic(); ++k) {
       const ConeContact& c = island.contacts[k];
@@ -113,16 +113,40 @@ void IslandImpact<P>::hold_on(Island& island, double span, double goal,
   }
 }
 
+// What comes to many is turned round ahead of its impact: at a place where it will be as fast as
+// this on its way back. It then has what gravity makes till the next step.
 template <class P>
-void IslandImpact<P>::give_support(Island& island, const IslandHits& hits, double span,
+double IslandImpact<P>::parting(const Island& island, std::size_t k, const IslandHits& hits,
+                                double span) const {
+  if (!is_large(island)) return hits.restitution * approach(island, k);
+  const ConeContact& c = island.contacts[k];
+  const bool wall = c.b == kWall && island.near[k].partner >= kFirstMark;
+  const auto restitution =
+      static_cast<double>(wall ? motion_.rules().wall_restitution : motion_.rules().restitution);
+  const double away = restitution * approach(island, k);
+  double pressing = 0;
+  for (const int body : {c.a, c.b}) {
+    if (body == kWall || island.support[static_cast<std::size_t>(body)] >= kResting) continue;
+    const Disk& disk = disks_[island.members[static_cast<std::size_t>(body)]];
+    const double pull = dot(c.normal, in_double(motion_.law_of(disk).pull()));
+    pressing += body == c.a ? pull : -pull;
+  }
+  const double lower = 2 * pressing * std::max(c.gap, 0.0) * (1 - restitution) * (1 + restitution);
+  const double square = away * away - lower;
+  return square > 0 ? std::max(std::sqrt(square) - pressing * span, 0.0) : 0;
+}
+
+template <class P>
+void IslandImpact<P>::give_support(Island& island, const IslandHits& hits, double span, bool steps,
                                    std::vector<Index>& woken) const {
   const Vec<double> g = in_double(motion_.law().pull());
   const bool keeps_all = !motion_.elastic() || impulses_.gives_up();
+  const bool large = !motion_.elastic() && is_large(island);
   for (std::size_t m = 0; m < island.members.size(); ++m) {
     unsigned& support = island.support[m];
     if (support == kResting) woken.push_back(island.members[m]);
-    const bool of_it = (support >= kResting && keeps_all) || hits.stays[m] != 0;
-    if (of_it && support != kStepped) {
+    const bool of_it = (support >= kResting && keeps_all) || hits.stays[m] != 0 || large;
+    if (of_it && (steps || support != kStepped)) {
       // It has not been given what gravity makes till the next step.
       island.bodies[m].velocity = island.bodies[m].velocity + span * g;
     }
@@ -131,22 +155,24 @@ void IslandImpact<P>::give_support(Island& island, const IslandHits& hits, doubl
 }
 
 template <class P>
-IslandChange IslandImpact<P>::resolve(Island& island, double span, At now) const {
+IslandChange IslandImpact<P>::resolve(Island& island, double span, At now, bool steps) const {
   IslandChange change;
   Counts& counts = change.counts;
-  IslandHits hits = hits_of(motion_, disks_, island, now);
+  IslandHits hits = hits_of(motion_, disks_, island, now, steps);
+  if (steps) counts.steps = 1;
   counts.ball_wall = hits.walls;
   counts.ball_ball = hits.balls;
   if (hits.all() > 1) counts.joint_impacts = 1;
 
   const SteppedEnergy& energy = impulses_.energy();
-  const double had = energy.of(island, span).all();
+  const double had = energy.of(island, steps ? 0 : span).all();
   const bool elastic = motion_.elastic();
   // What a joint impact has left is only what gravity makes until the next step.
   const double goal = elastic ? std::max(kSolved * static_cast<double>(motion_.speed_of_step()),
                                          kSolved * kSolved * hits.fastest) *
                                     kSolved
                               : kSolved * hits.fastest;
+  const double opens = steps ? impulses_.opens() : 0;
   double held = 0;
   if (elastic) {
     const Reflection reflection = reflect(island, hits);
@@ -154,13 +180,14 @@ IslandChange IslandImpact<P>::resolve(Island& island, double span, At now) const
     held = reflection.held;
   } else if (hits.bounces) {
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-      if (hits.parts[k] != 0) island.contacts[k].parting = hits.restitution * approach(island, k);
+      if (hits.parts[k] == 0) continue;
+      island.contacts[k].parting = parting(island, k, hits, span);
     }
   }
-  give_support(island, hits, span, change.woken);
+  give_support(island, hits, span, steps, change.woken);
   if (!change.woken.empty()) counts.wakes = 1;
   std::vector<double> loads(island.contacts.size(), 0);
-  hold_on(island, span, goal, loads);
+  hold_on(island, span, goal, loads, opens);
   put_on_walls(island);
   for (ConeContact& contact : island.contacts) contact.parting = 0;
   const double kept = had - 2 * held;
@@ -168,7 +195,7 @@ IslandChange IslandImpact<P>::resolve(Island& island, double span, At now) const
     if (motion_.keeps_energy()) {
       impulses_.keep_gaps(island, kept, span, goal, loads);
     } else {
-      hold_on(island, span, goal, loads);
+      hold_on(island, span, goal, loads, opens);
       put_on_walls(island);
     }
   }

@@ -29,6 +29,11 @@ class IslandImpulses {
   IslandImpulses(const Motion<P>& motion, const JamLevel& jam) : motion_(motion), jam_(jam) {}
 
   [[nodiscard]] const SteppedEnergy& energy() const { return energy_; }
+  /// What slides opens no faster than that in a step.
+  [[nodiscard]] double opens() const {
+    return (motion_.elastic() ? kSolved : 1) * kOpens *
+           static_cast<double>(motion_.speed_of_step());
+  }
   /// What is taken as jammed in vain loses what its contacts have of speed.
   [[nodiscard]] bool gives_up() const { return jam_.gives_up(); }
 
@@ -37,7 +42,9 @@ class IslandImpulses {
   [[nodiscard]] bool lasts(const Island& island, std::size_t contact) const;
   /// Nothing closes before the next step; where impacts are elastic, only among those that stay, as
   /// others meet at their own time.
-  void press(Island& island, double span, double goal, std::vector<double>& loads) const;
+  /// `opens`: see ConeIsland::resolve.
+  void press(Island& island, double span, double goal, std::vector<double>& loads,
+             double opens = 0) const;
   /// What goes faster, so that the island keeps the energy it `had`, may close a contact beyond
   /// touching: then that one is held again, and what it loses goes to the others.
   void keep_gaps(Island& island, double had, double span, double goal,

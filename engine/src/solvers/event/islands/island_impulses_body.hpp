@@ -36,8 +36,8 @@ bool IslandImpulses<P>::holds(const Island& island, std::size_t contact) const {
 }
 
 template <class P>
-void IslandImpulses<P>::press(Island& island, double span, double goal,
-                              std::vector<double>& loads) const {
+void IslandImpulses<P>::press(Island& island, double span, double goal, std::vector<double>& loads,
+                              double opens) const {
   std::vector<ConeContact> contacts;
   std::vector<std::size_t> number;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
@@ -48,7 +48,7 @@ void IslandImpulses<P>::press(Island& island, double span, double goal,
   }
   const double rate = span > 0 ? 1 / span : 0;
   ConeIsland whole(island.bodies, contacts);
-  const std::vector<double> impulses = whole.resolve(island.bodies, rate, goal);
+  const std::vector<double> impulses = whole.resolve(island.bodies, rate, goal, opens);
   for (std::size_t k = 0; k < number.size(); ++k) loads[number[k]] += impulses[k];
 }
 

@@ -43,18 +43,35 @@ class IslandSearch {
   void reset(std::size_t balls) {
     number_.assign(balls, -1);
     joins_.assign(balls, 0);
+    owner_.assign(balls, -1);
   }
-  /// The island that a ball is of.
-  [[nodiscard]] Island around(Index ball, At now) { return of({ball}, now, false); }
+  /// The islands that balls are of.  `until`: of those of many contacts, with what comes to them by
+  /// then, if that is later than now.
+  [[nodiscard]] std::vector<Island> of_step(const std::vector<Index>& balls, At now, Time until);
   /// The islands of groups of balls that meet something now; groups that share an island are one.
+  /// Those of many contacts with what comes to them before the next step.
   [[nodiscard]] std::vector<Island> of_hits(std::vector<std::vector<Index>> groups, At now);
 
  private:
-  /// `ahead`: where there are many, also those that come to them before the next step.
-  [[nodiscard]] Island of(const std::vector<Index>& balls, At now, bool ahead);
+  /// Two that will meet.
+  struct Coming {
+    Index one, other;
+    Time at;     ///< they meet
+    bool close;  ///< they have a contact already
+  };
+
+  [[nodiscard]] Island of(const std::vector<Index>& balls, At now, Time until);
+  /// Adds the island of these balls, with those of `islands` that it shares a ball with.
+  void add(std::vector<Island>& islands, std::vector<Index> balls, At now, Time until);
+  /// Nothing belongs to an island any more; drops those without balls.
+  void finish(std::vector<Island>& islands);
   void join(Island& island, Index i, At now);
   void add_near(Island& island, std::size_t first, At now, bool joins);
-  void add_coming(Island& island, At now);  // island_coming_body.hpp
+  // island_coming_body.hpp
+  /// The balls that fly near to one of the island, or meet one by `until`, and what does so with
+  /// these; who meets whom is noted.
+  void add_coming(Island& island, At now, Time until);
+  void note_coming(Island& island, const Coming& pair) const;
 
   const Motion<P>& motion_;
   const HugeVector<Disk>& disks_;
@@ -63,6 +80,7 @@ class IslandSearch {
   Neighbours<P>& neighbours_;
   std::vector<int> number_;  ///< in the island that is looked at; -1: none
   std::vector<char> joins_;  ///< it is of an island that is hit now
+  std::vector<int> owner_;   ///< its island, of those that have been found; -1: none
 };
 
 }  // namespace carom::event

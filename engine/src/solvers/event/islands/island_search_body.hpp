@@ -13,19 +13,57 @@
 namespace carom::event {
 
 template <class P>
-auto IslandSearch<P>::of(const std::vector<Index>& balls, At now, bool ahead) -> Island {
+auto IslandSearch<P>::of(const std::vector<Index>& balls, At now, Time until) -> Island {
   Island island;
   for (const Index i : balls) {
     if (number_[i] < 0) join(island, i, now);
   }
   if (motion_.rules().collisions) {
     add_near(island, 0, now, true);
-    const bool many = island.contacts.size() > kFewContacts;
-    if (many && ahead) add_coming(island, now);
+    if (island.contacts.size() > kFewContacts) add_coming(island, now, until);
   }
   for (const Index m : island.members) number_[m] = -1;
   if (island.contacts.size() > kFewContacts) put_in_order(island);
   return island;
+}
+
+template <class P>
+void IslandSearch<P>::add(std::vector<Island>& islands, std::vector<Index> balls, At now,
+                          Time until) {
+  for (;;) {
+    Island island = of(balls, now, until);
+    const auto shared = std::find_if(island.members.begin(), island.members.end(),
+                                     [this](Index m) { return owner_[m] >= 0; });
+    if (shared == island.members.end()) {
+      for (const Index m : island.members) owner_[m] = static_cast<int>(islands.size());
+      islands.push_back(std::move(island));
+      return;
+    }
+    // A ball that an earlier island has brings its island with it.
+    Island& other = islands[static_cast<std::size_t>(owner_[*shared])];
+    for (const Index m : other.members) owner_[m] = -1;
+    balls.insert(balls.end(), other.members.begin(), other.members.end());
+    other = Island();
+  }
+}
+
+template <class P>
+void IslandSearch<P>::finish(std::vector<Island>& islands) {
+  for (const Island& island : islands) {
+    for (const Index m : island.members) owner_[m] = -1;
+  }
+  std::erase_if(islands, [](const Island& island) { return island.members.empty(); });
+}
+
+template <class P>
+auto IslandSearch<P>::of_step(const std::vector<Index>& balls, At now, Time until)
+    -> std::vector<Island> {
+  std::vector<Island> islands;
+  for (const Index i : balls) {
+    if (owner_[i] < 0) add(islands, {i}, now, until);
+  }
+  finish(islands);
+  return islands;
 }
 
 template <class P>
@@ -39,26 +77,9 @@ auto IslandSearch<P>::of_hits(std::vector<std::vector<Index>> groups, At now)
   };
   mark(1);
   std::vector<Island> islands;
-  for (std::vector<Index>& balls : groups) {
-    // A ball that an earlier island has brings its island with it.
-    for (bool more = true; more;) {
-      Island island = of(balls, now, true);
-      more = false;
-      for (std::size_t other = 0; other < islands.size(); ++other) {
-        const std::vector<Index>& others = islands[other].members;
-        const bool shares = std::any_of(others.begin(), others.end(), [&](Index m) {
-          return std::find(island.members.begin(), island.members.end(), m) != island.members.end();
-        });
-        if (!shares) continue;
-        balls.insert(balls.end(), others.begin(), others.end());
-        islands.erase(islands.begin() + static_cast<std::ptrdiff_t>(other));
-        more = true;
-        break;
-      }
-      if (!more) islands.push_back(std::move(island));
-    }
-  }
+  for (const std::vector<Index>& balls : groups) add(islands, balls, now, next_step_);
   mark(0);
+  finish(islands);
   return islands;
 }
 

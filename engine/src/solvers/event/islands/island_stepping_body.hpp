@@ -39,7 +39,8 @@ auto IslandStepping<P>::press(Island& island, const Scale& scale) const -> Press
   }
   for (ConeBody& body : island.bodies) body.velocity = body.velocity + scale.span * scale.pull;
   ConeIsland whole(island.bodies, lasting);
-  const std::vector<double> pushes = whole.resolve(island.bodies, 1 / scale.span, scale.goal, true);
+  const std::vector<double> pushes =
+      whole.resolve(island.bodies, 1 / scale.span, scale.goal, impulses_.opens());
   for (std::size_t k = 0; k < number.size(); ++k) pressed.loads[number[k]] = pushes[k];
   return pressed;
 }
