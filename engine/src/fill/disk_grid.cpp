@@ -10,14 +10,14 @@ namespace carom::scene {
 namespace {
 
 std::int64_t to_cell(double index) {
-  constexpr double kFar = 0x1p60;
-  return static_cast<std::int64_t>(std::floor(std::clamp(index, -kFar, kFar)));
+  constexpr double kFarthest = 0x1p60;
+  return static_cast<std::int64_t>(std::floor(std::clamp(index, -kFarthest, kFarthest)));
 }
 
 /// So much wider than its disks is a cell, that rounding moves no disk beyond the next cell.
 constexpr double kWider = 1 + 0x1p-10;
 /// More do not fit into the nearest memory.
-constexpr std::size_t kMany = 1000;
+constexpr std::size_t kFillsCache = 1000;
 
 std::int64_t wrapped(std::int64_t index, std::int64_t count) {
   const std::int64_t rest = index % count;
@@ -152,7 +152,7 @@ void DiskGrid::visit(const Vec2& position, double radius, Found found) const {
       return false;
     };
     // Disks of many are far from each other in memory: all are on their way at once.
-    if (disks_.size() > kMany) {
+    if (disks_.size() > kFillsCache) {
       for_each_cell([&](const Cell&, std::uint32_t first) {
         if (first != kNone) __builtin_prefetch(&disks_[first]);
         return false;

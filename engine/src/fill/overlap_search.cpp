@@ -13,7 +13,7 @@ namespace carom::scene {
 namespace {
 
 /// So much wider than the largest ball is a cell, that rounding moves none beyond the next cell.
-constexpr double kWider = 1 + 0x1p-10;
+constexpr double kCellWider = 1 + 0x1p-10;
 /// Pairs to look at for each ball: with more a DiskGrid is quicker.
 constexpr std::uint64_t kMostPairs = 64;
 
@@ -43,7 +43,7 @@ Cells cells_over(const Box& box, const std::vector<Ball>& balls) {
       lower[axis] = box.lower()[axis];
       upper[axis] = box.upper()[axis];
     }
-    count[axis] = std::max(1.0, std::floor((upper[axis] - lower[axis]) / (2 * largest * kWider)));
+    count[axis] = std::max(1.0, std::floor((upper[axis] - lower[axis]) / (2 * largest * kCellWider)));
   }
   const double most = 2 * static_cast<double>(balls.size()) + 16;
   while (count[0] * count[1] > most) {
