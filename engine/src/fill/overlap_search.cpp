@@ -43,7 +43,8 @@ Cells cells_over(const Box& box, const std::vector<Ball>& balls) {
       lower[axis] = box.lower()[axis];
       upper[axis] = box.upper()[axis];
     }
-    count[axis] = std::max(1.0, std::floor((upper[axis] - lower[axis]) / (2 * largest * kCellWider)));
+    count[axis] =
+        std::max(1.0, std::floor((upper[axis] - lower[axis]) / (2 * largest * kCellWider)));
   }
   const double most = 2 * static_cast<double>(balls.size()) + 16;
   while (count[0] * count[1] > most) {
