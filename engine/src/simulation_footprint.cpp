@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "contact/cell_grid.hpp"
-#include "solvers/event/make_core.hpp"
+#include "solvers/event/event_memory.hpp"
 #include "solvers/overlap/plan.hpp"
 
 namespace carom {
@@ -22,12 +22,15 @@ std::size_t listed_pairs(const Scene& scene, const std::vector<Ball>& balls) {
   return static_cast<std::size_t>(n * std::min(around, n - 1) / 2);
 }
 
-void describe_event(const Scene& scene, Footprint& result) {
-  const std::size_t n = result.balls;
-  const event::BallBytes bytes = event::ball_bytes(scene);
-  result.columns = {{"ball", n * sizeof(Ball)}, {"flight", n * bytes.flight}};
-  if (scene.effects.collisions) result.lists.emplace_back("neighbours", n * bytes.neighbours);
-  result.lists.emplace_back("event queue", n * bytes.queue);
+void describe_event(const Scene& scene, const std::vector<Ball>& balls, Footprint& result) {
+  const event::EventMemory memory = event::event_memory(scene, balls, result.workers);
+  result.columns = {{"ball", balls.size() * sizeof(Ball)}, {"flight", memory.flights}};
+  const auto add = [&result](const char* name, std::size_t bytes) {
+    if (bytes > 0) result.lists.emplace_back(name, bytes);
+  };
+  add("neighbours", memory.neighbours);
+  add("event queue", memory.queue);
+  add("domains", memory.domains);
   result.barriers = {"do_frame", scene.effects.walls ? "wall_computation" : "flight"};
   if (scene.effects.collisions) {
     result.barriers.insert(result.barriers.end(), {"pair_computation", "pair_resolution"});
@@ -56,7 +59,7 @@ Footprint footprint(const Scene& scene, const std::vector<Ball>& balls) {
   }
   result.workers = worker_count(scene, n, count_moving(balls));
   if (choose_method(scene).method == Method::event) {
-    describe_event(scene, result);
+    describe_event(scene, balls, result);
     return result;
   }
   result.columns = {{"position", 2 * n * kNumber}, {"velocity", 2 * n * kNumber},

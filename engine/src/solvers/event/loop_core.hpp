@@ -72,7 +72,7 @@ class LoopCore final : public Core {
   template <class Solved>
   [[nodiscard]] std::size_t finish_way(Solved& way, std::size_t phase);
   [[nodiscard]] std::size_t finish_domains(std::size_t phase) requires kShares;
-  [[nodiscard]] bool suits_domains() const;
+  [[nodiscard]] bool may_use_domains() const;
   void work(std::size_t phase, Share share);
   [[nodiscard]] std::size_t finish_phase(std::size_t phase);
   enum class Way { loop, groups, domains };

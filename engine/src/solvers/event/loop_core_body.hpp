@@ -5,13 +5,12 @@
 #include <cmath>
 #include <utility>
 
-#include "effects/domains_suit.hpp"
 #include "solvers/event/loop_core.hpp"
+#include "solvers/event/suits_domains.hpp"
 
 namespace carom::event {
 
 inline constexpr std::uint64_t kSortAfter = 100;  // impacts of each ball
-inline constexpr double kLeastPeriod = 8;         // radii: for domains
 
 /// A saved run goes on by its own clock, also where all its balls are gone and others are to come.
 inline bool keeps_its_clock(const Continuation& from, const std::vector<Ball>& balls) {
@@ -177,27 +176,15 @@ void LoopCore<P>::sort_again() {
   }
 }
 
-/// Whether the balls are many enough, and nothing comes to rest or is left at a fixed ball.  Where
-/// nothing presses balls together, contacts that last are rare: domains leave them to an event
-/// loop.
 template <class P>
-bool LoopCore<P>::suits_domains() const {
-  if (!kShares || no_domains_ || log_.wanted) return false;
-  const std::size_t least = workers_ > 1 ? workers_ * sharing_.balls_of_worker : 0;
-  if (balls_.size() < std::max(least, sharing_.least_balls)) return false;
-  const bool fixed =
-      std::any_of(balls_.begin(), balls_.end(), [](const Ball& ball) { return ball.fixed; });
-  const std::array<bool, 2> periodic{domain_.period[0] > 0, domain_.period[1] > 0};
-  if (!domains_suit(effects_, periodic, fixed, rests_)) return false;
-  const double least_period = std::min(domain_.period[0] > 0 ? domain_.period[0] : HUGE_VAL,
-                                       domain_.period[1] > 0 ? domain_.period[1] : HUGE_VAL);
-  return std::none_of(balls_.begin(), balls_.end(),
-                      [&](const Ball& ball) { return least_period < kLeastPeriod * ball.radius; });
+bool LoopCore<P>::may_use_domains() const {
+  return kShares && !no_domains_ && !log_.wanted &&
+         suits_domains(effects_, domain_, balls_, rests_, sharing_, workers_);
 }
 
 template <class P>
 auto LoopCore<P>::choose_way() const -> Way {
-  if (suits_domains()) return Way::domains;
+  if (may_use_domains()) return Way::domains;
   // Where nothing takes energy and balls touch, one event loop sees what jams.
   const bool jams = rests_ && !loses_energy(effects_) && !effects_.drag;
   return workers_ > 1 && !jams ? Way::groups : Way::loop;

@@ -64,13 +64,4 @@ CoreInPrecision make_core(CoreStart start, int digits) {
   return {made(), digits};
 }
 
-BallBytes ball_bytes(const Scene& scene) {
-  const auto bytes_of = [&]<class P>(P) {
-    const std::size_t spin = scene.effects.friction ? sizeof(typename P::Scalar) : 0;
-    return BallBytes{sizeof(typename P::Disk) + spin, Neighbours<P>::kBytesOfBall,
-                     EventQueue<typename P::Clock>::kBytesOfBall};
-  };
-  return scene.solver.digits > kDigitsOfDouble ? bytes_of(WidePhysics{}) : bytes_of(Ballistic{});
-}
-
 }  // namespace carom::event

@@ -115,6 +115,12 @@ class DomainLoop {
   };
   [[nodiscard]] const Tally& tally() const { return tally_; }
   [[nodiscard]] std::size_t bytes() const;
+  /// Of one ball in it, about.
+  static constexpr std::size_t bytes_of_ball() {
+    constexpr std::size_t cell_and_queue = 40;
+    return sizeof(Loaded) + sizeof(BlockFlight) + sizeof(Path) + sizeof(Side) + sizeof(Track) +
+           sizeof(Index) + NearLists::kBytesOfBall + NearSearch::kBytesOfBall + cell_and_queue;
+  }
 
  private:
   static constexpr float kToTheEnd = std::numeric_limits<float>::infinity();

@@ -93,6 +93,9 @@ class Domains {
   [[nodiscard]] std::uint64_t solved_again() const { return again_; }
   [[nodiscard]] std::size_t domains() const { return regions_.size(); }
   [[nodiscard]] std::size_t bytes() const;
+  /// About so many, without having any: of all flights, and of the domains that workers solve.
+  static std::size_t bytes_of_flights(std::size_t balls, std::size_t workers, bool spins);
+  static std::size_t bytes_of_workers(std::size_t balls, std::size_t workers);
 
  private:
   /// What a domain knows of a ball of its halo.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solvers/event/domains/domains.hpp"
+#include "solvers/event/domains/domains_start_body.hpp"
 
 namespace carom::event {
 
@@ -83,6 +84,22 @@ std::size_t Domains<P>::bytes() const {
     if (workspace.domain) bytes += workspace.domain->bytes();
   }
   return bytes;
+}
+
+template <class P>
+std::size_t Domains<P>::bytes_of_flights(std::size_t balls, std::size_t workers, bool spins) {
+  const bool several = workers > 1 || balls >= kBallsOfOneDomain;
+  std::size_t bytes = 2 * (sizeof(BlockFlight) + (spins ? sizeof(double) : 0));
+  // Half of the balls are in the halo of another domain, too.
+  if (several) bytes += sizeof(Outcome) + sizeof(Index) + sizeof(Ghost) / 2;
+  return balls * bytes;
+}
+
+template <class P>
+std::size_t Domains<P>::bytes_of_workers(std::size_t balls, std::size_t workers) {
+  constexpr auto kMost = static_cast<std::size_t>(1.5 * (kBallsOfDomain + kMoreOfDomain / 2));
+  const bool several = workers > 1 || balls >= kBallsOfOneDomain;
+  return (several ? workers * std::min(balls, kMost) : balls) * DomainLoop<P>::bytes_of_ball();
 }
 
 }  // namespace carom::event

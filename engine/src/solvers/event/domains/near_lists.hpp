@@ -40,6 +40,7 @@ inline constexpr std::array<std::uint64_t, 256> kBitsOf = [] {
 class NearLists {
  public:
   static constexpr std::uint32_t kShort = 15;
+  static constexpr std::size_t kBytesOfBall = 32;  ///< unless its list is long
 
   /// The balls near to one, as a search finds them.
   class Gathered {
@@ -139,7 +140,7 @@ class NearLists {
   static constexpr Slot kLong = kShort + 1;
   static constexpr std::uint32_t kAhead = 8;
 
-  struct alignas(32) List {
+  struct alignas(kBytesOfBall) List {
     Slot item[kShort]{};
     Slot size = 0;  ///< kLong: item[0] is the number of a long list
   };

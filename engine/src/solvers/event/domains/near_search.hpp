@@ -46,7 +46,8 @@ class NearSearch {
     if (!equal_) radius_[k] = static_cast<float>(radius);
   }
 
-  [[nodiscard]] std::size_t bytes() const { return 3 * x_.capacity() * sizeof(float); }
+  static constexpr std::size_t kBytesOfBall = 3 * sizeof(float);
+  [[nodiscard]] std::size_t bytes() const { return x_.capacity() * kBytesOfBall; }
 
   /// Calls visit(k, mask) for each eight places from `first` to `last`: bit b of the mask tells
   /// whether place k + b is near to place i and another one.
