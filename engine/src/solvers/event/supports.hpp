@@ -58,7 +58,7 @@ class Supports {
     }
     return false;
   }
-  /// The ball's flight is another one: it is carried by what it lies on.
+  /// The ball has a new flight: it is supported by what it lies on.
   void update(Index i) {
     Disk& disk = disks_[i];
     if (!motion_.contacts_last() || motion_.fixed(disk)) return;

@@ -50,7 +50,7 @@ class HaloWidth {
   }
 
  private:
-  // How wide it is at first beyond the balls followed to the end, in spacings.
+  // How wide it is initially beyond the balls followed to the end, in spacings.
   static constexpr double kFirstPyramid = 4;
   // Halos are as much wider as farther displacements than those of the last window ask for.
   static constexpr double kFarther = 1.15;
