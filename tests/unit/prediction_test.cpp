@@ -7,8 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "solvers/event/neighbours_body.hpp"
-#include "solvers/event/prediction_body.hpp"
+#include "support/predicted_balls.hpp"
 
 namespace carom::event {
 namespace {
@@ -26,17 +25,8 @@ Rules box(double size, const std::array<double, 2>& gravity, bool periodic) {
 }
 
 /// Balls on a lattice, of which one in `fixed` is, with random velocities.
-struct Balls {
-  Motion<Ballistic> motion;
-  HugeVector<Disk> disks;
-  std::vector<double> spins;
-  std::vector<Index> left;
-  FixedTime next_step = kNever;
-  Neighbours<Ballistic> neighbours{motion};
-  Ties<FixedTimeClock> ties;
-  Prediction<Ballistic> prediction{motion, {disks, spins, left, next_step}, neighbours, ties};
-
-  Balls(const Rules& rules, unsigned seed, std::size_t fixed) : motion(rules) {
+struct Balls : PredictedBalls {
+  Balls(const Rules& rules, unsigned seed, std::size_t fixed) : PredictedBalls(rules) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
     constexpr int kSide = 9;

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "solvers/event/neighbours_body.hpp"
-#include "solvers/event/prediction_body.hpp"
 #include "support/flight_at.hpp"
+#include "support/predicted_balls.hpp"
 
 namespace carom::event {
 namespace {
@@ -16,15 +15,7 @@ using Choice = SimultaneousChoice<Ballistic>;
 using Way = Choice::Way;
 
 /// Balls of diameter 1 in a box of 20 by 20 around the origin, the last of which is fixed.
-struct Choosing : ::testing::Test {
-  Motion<Ballistic> motion{rules()};
-  HugeVector<Disk> disks;
-  std::vector<double> spins;
-  std::vector<Index> left;
-  FixedTime next_step = kNever;
-  Neighbours<Ballistic> neighbours{motion};
-  Ties<FixedTimeClock> ties;
-  Prediction<Ballistic> prediction{motion, {disks, spins, left, next_step}, neighbours, ties};
+struct Choosing : ::testing::Test, PredictedBalls {
   SimultaneousPairs pairs;
   JamLevel jam;
   Counts counts;
@@ -32,6 +23,8 @@ struct Choosing : ::testing::Test {
   ImpactNotes notes;
   Resolutions resolutions{counts, book, notes};
   Choice choice{motion, {disks, prediction}, {pairs, resolutions, ties, jam}};
+
+  Choosing() : PredictedBalls(rules()) {}
 
   static Rules rules() {
     Box box;

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "contact/rest_rules.hpp"
-#include "solvers/event/neighbours_body.hpp"
-#include "solvers/event/prediction_body.hpp"
 #include "solvers/event/touch_search_body.hpp"
+#include "support/predicted_balls.hpp"
 
 namespace carom::event {
 namespace {
@@ -36,20 +35,12 @@ struct Place {
 };
 
 /// Balls of diameter 1 that stand still, around the middle of a box.
-struct Balls {
-  Motion<Ballistic> motion;
-  HugeVector<Disk> disks;
-  std::vector<double> spins;
-  std::vector<Index> left;
-  FixedTime next_step = kNever;
-  Neighbours<Ballistic> neighbours{motion};
-  Ties<FixedTimeClock> ties;
-  Prediction<Ballistic> prediction{motion, {disks, spins, left, next_step}, neighbours, ties};
+struct Balls : PredictedBalls {
   SimultaneousPairs pairs;
   JamLevel jam;
   TouchSearch<Ballistic> search{motion, {disks, spins, neighbours, prediction}, pairs, jam};
 
-  explicit Balls(const std::vector<Place>& places, double size = 20) : motion(box(size)) {
+  explicit Balls(const std::vector<Place>& places, double size = 20) : PredictedBalls(box(size)) {
     for (const Place& place : places) {
       Disk disk;
       disk.x = place.x;
