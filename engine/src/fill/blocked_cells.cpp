@@ -18,14 +18,14 @@ BlockedCells::BlockedCells(const Vec2& lower, const Vec2& upper, double radius, 
     : lower_(lower), radius_(radius) {
   const Vec2 size = upper - lower;
   const double cells = kCellsPerDisk * static_cast<double>(count);
-  side_ = std::max(radius / 2, std::sqrt(size.x() * size.y() / cells));
+  const double side = std::max(radius / 3, std::sqrt(size.x() * size.y() / cells));
   // Wider cells are never blocked as a whole; longer rows would be more than their area says.
-  const double columns = std::floor(size.x() / side_) + 1;
-  const double rows = std::floor(size.y() / side_) + 1;
-  if (count < kMany || side_ > radius || !(farthest < kFar * radius) ||
-      columns * rows > 2 * cells) {
+  const double columns = std::floor(size.x() / side) + 1;
+  const double rows = std::floor(size.y() / side) + 1;
+  if (count < kMany || side > radius || !(farthest < kFar * radius) || columns * rows > 2 * cells) {
     return;
   }
+  per_side_ = 1 / side;
   columns_ = static_cast<std::size_t>(columns);
   rows_ = static_cast<std::size_t>(rows);
   bits_.assign((columns_ * rows_ + 63) / 64, 0);
@@ -33,9 +33,9 @@ BlockedCells::BlockedCells(const Vec2& lower, const Vec2& upper, double radius, 
 
 void BlockedCells::insert(const Vec2& position, double radius) {
   if (columns_ == 0) return;
-  const double reach = (radius_ + radius) * kSurely / side_;
-  const double x = (position.x() - lower_.x()) / side_;
-  const double y = (position.y() - lower_.y()) / side_;
+  const double reach = (radius_ + radius) * kSurely * per_side_;
+  const double x = (position.x() - lower_.x()) * per_side_;
+  const double y = (position.y() - lower_.y()) * per_side_;
   const auto last_row = static_cast<double>(rows_) - 1;
   const auto last_column = static_cast<double>(columns_) - 1;
   const double first = std::max(std::ceil(y - reach), 0.0);
@@ -45,22 +45,22 @@ void BlockedCells::insert(const Vec2& position, double radius) {
     const double half = std::sqrt(std::max(reach * reach - away * away, 0.0));
     const double from = std::max(std::ceil(x - half), 0.0);
     const double to = std::min(std::floor(x + half) - 1, last_column);
-    for (double column = from; column <= to; ++column) {
-      const std::size_t cell =
-          static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column);
-      bits_[cell / 64] |= std::uint64_t{1} << (cell % 64);
-    }
+    if (to < from) continue;
+    const std::size_t start = static_cast<std::size_t>(row) * columns_;
+    block(start + static_cast<std::size_t>(from), start + static_cast<std::size_t>(to));
   }
 }
 
-bool BlockedCells::blocked(const Vec2& place) const {
-  if (columns_ == 0) return false;
-  const Vec2 from_lower = place - lower_;
-  const std::size_t column =
-      std::min(static_cast<std::size_t>(from_lower.x() / side_), columns_ - 1);
-  const std::size_t row = std::min(static_cast<std::size_t>(from_lower.y() / side_), rows_ - 1);
-  const std::size_t cell = row * columns_ + column;
-  return ((bits_[cell / 64] >> (cell % 64)) & 1U) != 0;
+void BlockedCells::block(std::size_t first, std::size_t last) {
+  const std::uint64_t from = ~std::uint64_t{0} << (first % 64);
+  const std::uint64_t to = ~std::uint64_t{0} >> (63 - last % 64);
+  if (first / 64 == last / 64) {
+    bits_[first / 64] |= from & to;
+    return;
+  }
+  bits_[first / 64] |= from;
+  for (std::size_t word = first / 64 + 1; word < last / 64; ++word) bits_[word] = ~std::uint64_t{0};
+  bits_[last / 64] |= to;
 }
 
 }  // namespace carom::scene

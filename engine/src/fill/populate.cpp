@@ -6,19 +6,19 @@
 
 #include "carom/scene.hpp"
 #include "carom/scene_file.hpp"
-#include "fill/blocked_cells.hpp"
 #include "fill/disk_grid.hpp"
 #include "fill/lattice.hpp"
 #include "fill/random.hpp"
+#include "fill/random_places.hpp"
 
 namespace carom {
 
 namespace {
 
-using scene::BlockedCells;
 using scene::DiskGrid;
 using scene::Lattice;
 using scene::Random;
+using scene::RandomPlaces;
 using scene::Region;
 
 /// Random places are given up beyond so many tries a ball, on average.
@@ -46,24 +46,10 @@ Region region_of(const Fill& fill, const Box& box) {
   return region;
 }
 
-/// Lower and upper bounds of the centres of balls that lie wholly in the region.
-Region centres_of(const Region& region, double radius) {
-  Region centres = region;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    if (region.around[axis]) continue;
-    const auto k = axis;
-    centres.lower[k] = region.lower[k] + radius;
-    // A region as wide as its ball is left with one place, whatever the rounding.
-    centres.upper[k] = std::max(centres.lower[k], region.upper[k] - radius);
-  }
-  return centres;
-}
-
 void place_at_random(const Scene& scene, std::size_t number, const std::vector<Ball>& before,
-                     DiskGrid& grid, std::vector<Vec2>& places) {
+                     const DiskGrid& grid, std::vector<Vec2>& places) {
   const Fill& fill = scene.fills[number];
   const Region region = region_of(fill, scene.box);
-  const Region centres = centres_of(region, fill.radius);
   const Vec2 size = region.upper - region.lower;
   const double packing = static_cast<double>(fill.count) * std::numbers::pi * fill.radius *
                          fill.radius / (size.x() * size.y());
@@ -74,37 +60,20 @@ void place_at_random(const Scene& scene, std::size_t number, const std::vector<B
                         "balls, or \"arrangement\": \"hexagonal\"",
                         100 * kJammed, fill.count, fill.radius, 100 * packing));
   }
-  BlockedCells cells(centres.lower, centres.upper, fill.radius, fill.count,
-                     std::max(scene.box.width, scene.box.height));
-  for (const Ball& ball : before) cells.insert(ball.position, ball.radius);
   Random random(scene.seed, 2 * number);
-  std::size_t tries = kTriesAtLeast + kTriesPerBall * fill.count;
-  while (places.size() < fill.count) {
-    if (tries-- == 0) {
-      no_room(
-          scene, number,
-          fmt::format("does not fit: only {} of {} balls found room at random; ask for fewer or "
-                      "smaller balls, or \"arrangement\": \"hexagonal\"",
-                      places.size(), fill.count));
-    }
-    Vec2 place{0, 0};
-    for (std::size_t k = 0; k < 2; ++k) {
-      place[k] = centres.lower[k] + random.uniform() * (centres.upper[k] - centres.lower[k]);
-      place[k] = std::min(place[k], centres.upper[k]);
-      if (region.around[static_cast<std::size_t>(k)] && place[k] >= region.upper[k]) {
-        place[k] = region.lower[k];
-      }
-    }
-    if (cells.blocked(place) || !grid.is_free(place, fill.radius)) continue;
-    grid.insert(place, fill.radius);
-    cells.insert(place, fill.radius);
-    places.push_back(place);
+  RandomPlaces(scene.box, region, fill.radius, fill.count, before, grid)
+      .draw(random, kTriesAtLeast + kTriesPerBall * fill.count, places);
+  if (places.size() < fill.count) {
+    no_room(scene, number,
+            fmt::format("does not fit: only {} of {} balls found room at random; ask for fewer or "
+                        "smaller balls, or \"arrangement\": \"hexagonal\"",
+                        places.size(), fill.count));
   }
 }
 
 /// The lattice is made finer until enough of its sites are free of earlier balls; of those, `count`
 /// are taken at even distances in their order.
-void place_on_lattice(const Scene& scene, std::size_t number, DiskGrid& grid,
+void place_on_lattice(const Scene& scene, std::size_t number, const DiskGrid& grid,
                       std::vector<Vec2>& places) {
   const Fill& fill = scene.fills[number];
   const Region region = region_of(fill, scene.box);
@@ -131,7 +100,6 @@ void place_on_lattice(const Scene& scene, std::size_t number, DiskGrid& grid,
     }
     sites = std::max(sites, lattice.sites.size()) + (fill.count - free.size());
   }
-  for (const Vec2& place : places) grid.insert(place, fill.radius);
 }
 
 /// Gaussian velocities less their mean, stretched by sqrt(n / (n - 1)) so that the variance of each
@@ -175,8 +143,12 @@ std::vector<Ball> populate(const Scene& scene) {
     } else {
       place_on_lattice(scene, number, grid, places);
     }
+    // Those of the last fill are in nobody's way.
+    const bool last = number + 1 == scene.fills.size();
     const std::size_t first = balls.size();
+    balls.reserve(first + places.size());
     for (const Vec2& place : places) {
+      if (!last) grid.insert(place, fill.radius);
       Ball ball;
       ball.position = place;
       ball.radius = fill.radius;

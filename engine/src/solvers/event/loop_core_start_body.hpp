@@ -98,9 +98,13 @@ void LoopCore<P>::start() {
                       effects_.gravity.has_value(),
                       effects_.friction.has_value(),
                       rests_};
-  slot_ = places_in_memory(domain_, balls_);
   const Way way = choose_way();
-  if (way != Way::loop) std::iota(slot_.begin(), slot_.end(), 0U);
+  if (way == Way::loop) {
+    slot_ = places_in_memory(domain_, balls_);
+  } else {
+    slot_.resize(balls_.size());
+    std::iota(slot_.begin(), slot_.end(), 0U);
+  }
   std::map<std::pair<S, S>, Index> all_species;
   std::vector<Disk> disks(balls_.size());
   for (std::size_t i = 0; i < balls_.size(); ++i) {
