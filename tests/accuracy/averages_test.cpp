@@ -12,7 +12,7 @@
 #include "carom/scene_file.hpp"
 #include "export/accuracy_csv.hpp"
 
-namespace carom {
+namespace carom::averages_test {
 namespace {
 
 constexpr double kStandardErrors = 3;
@@ -129,4 +129,4 @@ TEST(Averages, TheStudyPricesThemBesideTheReference) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::averages_test

@@ -2,7 +2,7 @@
 
 #include "carom/accuracy.hpp"
 
-namespace carom {
+namespace carom::choice_test {
 namespace {
 
 AccuracyRow row(double seconds, double error) {
@@ -64,4 +64,4 @@ TEST(Choice, WhereEveryRunIsLostTheyAreJudgedByHowLongTheyWereNot) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::choice_test

@@ -8,7 +8,7 @@
 
 #include "accuracy/nonnegative_least_squares.hpp"
 
-namespace carom::accuracy {
+namespace carom::accuracy::equilibrium_test {
 namespace {
 
 constexpr double kRight = 1e-9;
@@ -103,4 +103,4 @@ TEST(LeastSquaresOfForces, TheBestForcesAreNotNegative) {
 }
 
 }  // namespace
-}  // namespace carom::accuracy
+}  // namespace carom::accuracy::equilibrium_test

@@ -15,7 +15,7 @@
 #include "carom/simulation.hpp"
 #include "support/scenes.hpp"
 
-namespace carom {
+namespace carom::order_test {
 namespace {
 
 constexpr int kStarts = 16;
@@ -162,4 +162,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Order,
                          [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::order_test

@@ -6,7 +6,7 @@
 #include "accuracy/scenario.hpp"
 #include "accuracy/study_plan.hpp"
 
-namespace carom::accuracy {
+namespace carom::accuracy::plan_test {
 namespace {
 
 const std::vector<AccuracyCrew> kCrews{{false, 1}, {false, 2}, {true, 1}};
@@ -76,4 +76,4 @@ TEST(StudyRow, SaysWhyNoShorterStepsAreTried) {
 }
 
 }  // namespace
-}  // namespace carom::accuracy
+}  // namespace carom::accuracy::plan_test

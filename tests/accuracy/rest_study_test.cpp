@@ -10,7 +10,7 @@
 #include "export/accuracy_csv.hpp"
 #include "export/accuracy_gnuplot.hpp"
 
-namespace carom {
+namespace carom::rest_study_test {
 namespace {
 
 constexpr double kGravity = 9.81;
@@ -163,4 +163,4 @@ TEST(RestText, EveryFormHasTheFigures) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::rest_study_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace carom::accuracy {
+namespace carom::accuracy::samples_test {
 namespace {
 
 TEST(Samples, AreAtEndsOfStepsAndAtTheEnd) {
@@ -47,4 +47,4 @@ TEST(Samples, NoTimeHasOneSampleItsEnd) {
 }
 
 }  // namespace
-}  // namespace carom::accuracy
+}  // namespace carom::accuracy::samples_test

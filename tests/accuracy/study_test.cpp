@@ -7,7 +7,7 @@
 #include "accuracy/scenes.hpp"
 #include "carom/simulation.hpp"
 
-namespace carom {
+namespace carom::study_test {
 namespace {
 
 using accuracy::kLongestStep;
@@ -234,4 +234,4 @@ TEST(Study, EveryRunIsCountedAndToldAndAStopKeepsWhatIsDone) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::study_test

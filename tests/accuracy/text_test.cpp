@@ -12,7 +12,7 @@
 #include "export/accuracy_csv.hpp"
 #include "export/accuracy_gnuplot.hpp"
 
-namespace carom {
+namespace carom::text_test {
 namespace {
 
 AccuracyRow row(Method method, std::optional<double> step, int digits, double seconds,
@@ -264,4 +264,4 @@ TEST(Text, GnuplotIsToldEveryRunThatHasAPlaceOnTheDrawing) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::text_test

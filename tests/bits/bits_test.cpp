@@ -12,7 +12,7 @@
 #include "bits/outcome.hpp"
 #include "bits/table.hpp"
 
-namespace carom::bits {
+namespace carom::bits::bits_test {
 namespace {
 
 const std::filesystem::path kTop = CAROM_SOURCE_DIR;
@@ -44,4 +44,4 @@ TEST(Bits, TheTableNamesNoSceneThatIsGone) {
 }
 
 }  // namespace
-}  // namespace carom::bits
+}  // namespace carom::bits::bits_test

@@ -4,7 +4,7 @@
 #include "carom/scene_file.hpp"
 #include "carom/session.hpp"
 
-namespace carom {
+namespace carom::effects_test {
 namespace {
 
 Scene everything(Method method) {
@@ -82,4 +82,4 @@ TEST_P(AllEffects, AreHashedWithTheirSpins) {
 INSTANTIATE_TEST_SUITE_P(Methods, AllEffects, testing::Values(Method::overlap, Method::event));
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::effects_test

@@ -10,7 +10,7 @@
 
 #include "carom/session.hpp"
 
-namespace carom {
+namespace carom::event_collapse_test {
 namespace {
 
 constexpr int kColumns = 4;
@@ -80,4 +80,4 @@ TEST(EventCollapse, NeitherOrderNorWorkersChangeABit) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_collapse_test

@@ -11,7 +11,7 @@
 #include "solvers/event/solver.hpp"
 #include "support/scenes.hpp"
 
-namespace carom {
+namespace carom::event_domains_test {
 namespace {
 
 struct Case {
@@ -215,4 +215,4 @@ TEST(EventDomains, WorkersThatStopAndGoOnInOtherNumbersGiveTheSameBits) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_domains_test

@@ -5,7 +5,7 @@
 #include "carom/scene_file.hpp"
 #include "carom/simulation.hpp"
 
-namespace carom {
+namespace carom::event_go_on_test {
 namespace {
 
 const char* const kScenes[] = {
@@ -77,4 +77,4 @@ TEST_P(EventGoOn, RefusesABallThatIsNotWhereItsFlightHasIt) {
 INSTANTIATE_TEST_SUITE_P(Scenes, EventGoOn, testing::ValuesIn(kScenes));
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_go_on_test

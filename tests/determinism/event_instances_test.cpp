@@ -11,7 +11,7 @@
 #include "state/balls.hpp"
 #include "support/scenes.hpp"
 
-namespace carom::event {
+namespace carom::event::event_instances_test {
 namespace {
 
 struct Told {
@@ -81,4 +81,4 @@ TEST(EventInstances, the_same_scene_has_the_same_bits_whatever_else_is_looked_fo
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_instances_test

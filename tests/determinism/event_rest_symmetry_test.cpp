@@ -10,7 +10,7 @@
 #include "solvers/event/solver.hpp"
 #include "support/advance.hpp"
 
-namespace carom {
+namespace carom::event_rest_symmetry_test {
 namespace {
 
 // Balls of all sizes that fall on fixed ones and come to rest on them, on each other and on walls.
@@ -174,4 +174,4 @@ TEST_F(EventRestSymmetry, a_heap_that_is_saved_at_any_time_goes_on_with_the_same
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_rest_symmetry_test

@@ -10,7 +10,7 @@
 #include "solvers/event/solver.hpp"
 #include "support/advance.hpp"
 
-namespace carom {
+namespace carom::event_symmetry_test {
 namespace {
 
 struct Case {
@@ -189,4 +189,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& scene) { return scene.param.name; });
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_symmetry_test

@@ -14,7 +14,7 @@
 #include "support/process.hpp"
 #include "support/scenes.hpp"
 
-namespace carom {
+namespace carom::event_workers_test {
 namespace {
 
 struct Outcome {
@@ -176,4 +176,4 @@ TEST(EventWorkers, HaveThePhasesThatTheEffectsAskFor) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_workers_test

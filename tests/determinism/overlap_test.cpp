@@ -8,7 +8,7 @@
 #include "solvers/overlap/solver.hpp"
 #include "support/scenes.hpp"
 
-namespace carom {
+namespace carom::overlap_test {
 namespace {
 
 struct Case {
@@ -156,4 +156,4 @@ TEST(Determinism, AllPairsAndNeighbourListsGiveTheSameBits) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::overlap_test

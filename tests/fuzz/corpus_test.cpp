@@ -9,6 +9,7 @@
 
 #include "read_scene.hpp"
 
+namespace carom::corpus_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,3 +36,4 @@ TEST(FuzzCorpus, IsReadOrRefusedWithoutABrokenPromise) {
 }
 
 }  // namespace
+}  // namespace carom::corpus_test

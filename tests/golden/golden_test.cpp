@@ -19,7 +19,7 @@
 
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::golden_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,4 +110,4 @@ INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(cases()),
                          [](const auto& each) { return each.param; });
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::golden_test

@@ -13,7 +13,7 @@
 #include "support/scenes.hpp"
 #include "support/transformed_scene.hpp"
 
-namespace carom {
+namespace carom::attraction_contact_test {
 namespace {
 
 // Balls of two sizes, loose in a box with the origin at its centre, which gather to a clump.
@@ -114,4 +114,4 @@ TEST(AttractionContact, NoOrderUnitOrMirrorChangesABit) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::attraction_contact_test

@@ -10,7 +10,7 @@
 #include "carom/simulation.hpp"
 #include "support/known_scene.hpp"
 
-namespace carom {
+namespace carom::attraction_test {
 namespace {
 
 using test::after;
@@ -173,4 +173,4 @@ TEST(Attraction, LetsBallsThatStickLieOnEachOther) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::attraction_test

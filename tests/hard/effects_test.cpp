@@ -7,7 +7,7 @@
 #include "carom/simulation.hpp"
 #include "support/known_scene.hpp"
 
-namespace carom {
+namespace carom::effects_test {
 namespace {
 
 using test::after;
@@ -181,4 +181,4 @@ TEST(Friction, TurnsTwoBallsThatGlanceEachOther) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::effects_test

@@ -11,7 +11,7 @@
 #include "hard/energy_setting.hpp"
 #include "support/scenes.hpp"
 
-namespace carom {
+namespace carom::energy_balance_test {
 namespace {
 
 // What the steps of contacts that last leave unsolved, where method event has them.
@@ -196,4 +196,4 @@ TEST(EnergyBalance, OfFallingRoundAPeriodicSide) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::energy_balance_test

@@ -9,7 +9,7 @@
 #include "hard/energy_setting.hpp"
 #include "support/scenes.hpp"
 
-namespace carom {
+namespace carom::energy_book_test {
 namespace {
 
 // Seen to fail: without what the last bounces of a ball that is laid to rest have left, and without
@@ -101,4 +101,4 @@ TEST(EnergyBook, AFallInDragBalances) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::energy_book_test

@@ -8,7 +8,7 @@
 #include "solvers/event/solver.hpp"
 #include "support/advance.hpp"
 
-namespace carom {
+namespace carom::event_contact_test {
 namespace {
 
 constexpr double kG = 9.81;
@@ -139,4 +139,4 @@ TEST(EventContact, a_triangle_stands_by_friction) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_contact_test

@@ -13,7 +13,7 @@
 #include "solvers/event/wide_physics.hpp"
 #include "support/advance.hpp"
 
-namespace carom {
+namespace carom::event_digits_test {
 namespace {
 
 using Exact = boost::multiprecision::cpp_bin_float_100;
@@ -152,4 +152,4 @@ TEST(EventReversal, more_digits_come_back_nearer_to_the_start_by_the_digits) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_digits_test

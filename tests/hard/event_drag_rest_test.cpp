@@ -7,7 +7,7 @@
 #include "carom/scene_file.hpp"
 #include "carom/simulation.hpp"
 
-namespace carom {
+namespace carom::event_drag_rest_test {
 namespace {
 
 Ball ball(double x, double y, double vx = 0, double vy = 0) {
@@ -36,7 +36,7 @@ Scene elastic(const Vec2& gravity, double drag) {
   return scene;
 }
 
-Simulation after(const Scene& scene, double time) {
+Simulation at_time(const Scene& scene, double time) {
   Simulation run(scene);
   run.advance_to(time);
   return run;
@@ -46,7 +46,7 @@ Simulation after(const Scene& scene, double time) {
 TEST(EventDragRest, an_elastic_hop_that_drag_makes_ever_shorter_ends_on_the_floor) {
   Scene scene = elastic({0, -9.81}, 0.5);
   scene.balls = {ball(5, 5)};
-  const Simulation run = after(scene, 100);
+  const Simulation run = at_time(scene, 100);
   EXPECT_EQ(run.state()[0].position, Vec2(5, 0.5));
   EXPECT_EQ(run.state()[0].velocity, Vec2(0, 0));
   EXPECT_EQ(run.measure().resting_contacts, 1U);
@@ -56,7 +56,7 @@ TEST(EventDragRest, an_elastic_hop_that_drag_makes_ever_shorter_ends_on_the_floo
 TEST(EventDragRest, an_elastic_ball_comes_to_rest_between_two_fixed_ones) {
   Scene scene = elastic({0, -9.81}, 1);
   scene.balls = {fixed_disk(4.3, 2), fixed_disk(5.7, 2), ball(5.02, 3.2)};
-  const std::vector<Ball> balls = after(scene, 60).state();
+  const std::vector<Ball> balls = at_time(scene, 60).state();
   // It touches both: 0.7 to either side, 1 from either centre.
   EXPECT_NEAR(balls[2].position.x(), 5, 1e-4);
   EXPECT_NEAR(balls[2].position.y(), 2 + std::sqrt(1 - 0.49), 1e-4);
@@ -67,7 +67,7 @@ TEST(EventDragRest, elastic_balls_pile_up_and_rest) {
   Scene scene = elastic({0, -9.81}, 1);
   scene.box.width = 2;  // two side by side fit to the last bit
   scene.balls = {ball(0.6, 1), ball(1.4, 2), ball(0.7, 3), ball(1.3, 4)};
-  const Simulation run = after(scene, 60);
+  const Simulation run = at_time(scene, 60);
   for (const Ball& b : run.state()) EXPECT_EQ(b.velocity, Vec2(0, 0));
   EXPECT_GE(run.measure().resting_contacts, 4U);
 }
@@ -77,16 +77,16 @@ TEST(EventDragRest, nothing_depends_on_frames_stops_or_workers) {
   Scene scene = elastic({0.3, -9.81}, 0.7);
   scene.balls = {ball(3, 5, 2, 1), ball(3.2, 7),       ball(3, 9),
                  fixed_disk(7, 1), fixed_disk(8.3, 1), ball(7.6, 5)};
-  const std::string whole = after(scene, 50).state_hash();
+  const std::string whole = at_time(scene, 50).state_hash();
   Simulation looked_at(scene);
   for (int frame = 1; frame <= 1500; ++frame) looked_at.advance_to(frame / 30.0);
   EXPECT_EQ(looked_at.state_hash(), whole);
   for (const double stop : {1.0, 12.0, 19.0, 27.0, 45.0}) {
-    EXPECT_EQ(after(after(scene, stop).save(), 50).state_hash(), whole) << stop;
+    EXPECT_EQ(at_time(at_time(scene, stop).save(), 50).state_hash(), whole) << stop;
   }
   Scene shared = scene;
   shared.workers = 3;
-  EXPECT_EQ(after(shared, 50).state_hash(), whole);
+  EXPECT_EQ(at_time(shared, 50).state_hash(), whole);
 }
 
 // Counts and turns go on over the moment at which the first ball comes to rest.  Along the
@@ -123,7 +123,7 @@ TEST(EventDragRest, an_island_falls_through_drag_by_its_closed_form) {
   scene.effects.walls->restitution = 0;
   scene.balls = {ball(2, 0.5), ball(2, 1.5)};
   for (const double time : {1.0, 2.7, 20.0}) {
-    const Simulation run = after(scene, time);
+    const Simulation run = at_time(scene, time);
     const double v = g / k * -std::expm1(-k * time);
     for (const Ball& b : run.state()) EXPECT_NEAR(b.velocity.x(), v, 0.01) << time;
     EXPECT_NEAR(run.state()[1].position.y(), 1.5, 1e-6) << time;
@@ -135,7 +135,7 @@ TEST(EventDragRest, losses_under_gravity_with_drag_are_taken) {
   Scene scene = elastic({0, -9.81}, 0.2);
   scene.effects.walls->restitution = 0.7;
   scene.balls = {ball(3, 5, 1)};
-  const std::vector<Ball> balls = after(scene, 20).state();
+  const std::vector<Ball> balls = at_time(scene, 20).state();
   EXPECT_EQ(balls[0].position.y(), 0.5);
   EXPECT_EQ(balls[0].velocity.y(), 0);
   // No wall slows it along the floor, drag does.
@@ -161,10 +161,10 @@ TEST(EventDragRest, what_is_squeezed_against_lossy_walls_is_not_hit_for_ever) {
   scene.balls[0].mass = 80;
   scene.balls[2].radius = 0.45;
   scene.balls[2].mass = 0.05;
-  const Simulation run = after(scene, 10);
+  const Simulation run = at_time(scene, 10);
   EXPECT_LT(run.measure().ball_ball + run.measure().ball_wall, 100000U);
   EXPECT_LT(run.measure().energy_final, run.measure().energy_initial);
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_drag_rest_test

@@ -10,7 +10,7 @@
 
 #include "support/event_course.hpp"
 
-namespace carom {
+namespace carom::event_drop_test {
 namespace {
 
 using test::contact_ball;
@@ -206,4 +206,4 @@ TEST(EventRest, a_pile_wakes_when_it_is_hit_and_when_what_carries_it_goes) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_drop_test

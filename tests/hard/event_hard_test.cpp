@@ -8,7 +8,7 @@
 #include "solvers/event/solver.hpp"
 #include "support/advance.hpp"
 
-namespace carom {
+namespace carom::event_hard_test {
 namespace {
 
 Ball ball(double x, double y, double vx, double vy, double radius = 0.5, double mass = 1) {
@@ -112,4 +112,4 @@ TEST(EventHard, a_periodic_gas_collides_as_often_as_its_equation_of_state_says) 
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_hard_test

@@ -11,7 +11,7 @@
 
 #include "support/event_contact.hpp"
 
-namespace carom {
+namespace carom::event_lattice_test {
 namespace {
 
 /// Balls of diameter 1 on a square lattice, some fixed: all that can touch does.
@@ -199,4 +199,4 @@ TEST(EventContact, what_rests_wakes_in_the_record_where_a_ball_below_is_removed)
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_lattice_test

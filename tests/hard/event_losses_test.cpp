@@ -9,7 +9,7 @@
 
 #include "support/event_course.hpp"
 
-namespace carom {
+namespace carom::event_losses_test {
 namespace {
 
 using test::contact_ball;
@@ -124,4 +124,4 @@ TEST(EventContact, a_velocity_of_zero_has_no_sign) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_losses_test

@@ -12,7 +12,7 @@
 #include "carom/session.hpp"
 #include "support/event_contact.hpp"
 
-namespace carom {
+namespace carom::event_pile_test {
 namespace {
 
 /// Balls above each other, a little off a lattice, that fall into a box with losses.
@@ -90,4 +90,4 @@ TEST(EventContact, a_heap_that_creeps_is_not_hit_in_every_step) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_pile_test

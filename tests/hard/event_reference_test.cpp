@@ -8,7 +8,7 @@
 #include "solvers/event/solver.hpp"
 #include "support/advance.hpp"
 
-namespace carom {
+namespace carom::event_reference_test {
 namespace {
 
 double number(const nlohmann::json& text) {
@@ -61,4 +61,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EventReference,
                                          "drag-and-gravity", "friction"));
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_reference_test

@@ -6,7 +6,7 @@
 
 #include "support/event_course.hpp"
 
-namespace carom {
+namespace carom::event_rest_test {
 namespace {
 
 using test::contact_ball;
@@ -166,4 +166,4 @@ TEST(EventRest, a_ball_that_is_thrown_along_a_floor_ends_rolling_on_it) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_rest_test

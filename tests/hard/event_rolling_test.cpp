@@ -9,7 +9,7 @@
 #include "carom/simulation.hpp"
 #include "support/event_contact.hpp"
 
-namespace carom {
+namespace carom::event_rolling_test {
 namespace {
 
 // Closed forms of a uniform disk on a wall with friction, at the end of `time`.
@@ -232,4 +232,4 @@ TEST(EventRest, what_loses_energy_comes_to_rest_in_all_digits) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_rolling_test

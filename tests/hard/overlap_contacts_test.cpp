@@ -11,7 +11,7 @@
 #include "support/known_scene.hpp"
 #include "support/scenes.hpp"
 
-namespace carom {
+namespace carom::overlap_contacts_test {
 namespace {
 
 using test::after;
@@ -274,4 +274,4 @@ TEST(OverlapContacts, HitsThatAreMissedAreCountedAtEveryMassRatio) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::overlap_contacts_test

@@ -8,7 +8,7 @@
 
 // The expected values follow from conservation laws and from the set-up of each case.
 
-namespace carom {
+namespace carom::overlap_test {
 namespace {
 
 using test::gas;
@@ -212,4 +212,4 @@ TEST(Overlap, TinyNumbersAndCoincidentCentresGiveNumbers) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::overlap_test

@@ -54,7 +54,7 @@
 #include "carom/report.hpp"
 #include "carom/verify.hpp"
 
-namespace carom {
+namespace carom::verify_test {
 
 void PrintTo(const HardCase& each, std::ostream* out) {
   *out << each.name;
@@ -89,4 +89,4 @@ INSTANTIATE_TEST_SUITE_P(Verify, Hard, testing::ValuesIn(hard_cases()), [](const
 });
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::verify_test

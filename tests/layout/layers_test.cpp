@@ -8,7 +8,7 @@
 
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::layers_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -132,4 +132,4 @@ TEST(Layers, EveryHeaderIsGuardedByPragmaOnce) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::layers_test

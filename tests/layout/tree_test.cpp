@@ -8,7 +8,7 @@
 
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::tree_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,6 +52,20 @@ TEST(Tree, TheVersionIsTheSameEverywhere) {
   EXPECT_NE(changes.find("\n## " + version[1].str()), std::string::npos);
 }
 
+// So that the tests of a folder can be compiled together, whatever they call their own things.
+TEST(Tree, EveryFileOfTestsHasItsNamesInANamespaceOfItsOwn) {
+  const std::regex of_tests("\n(TEST|TEST_F|TEST_P|RC_GTEST_PROP)\\(");
+  std::size_t found = 0;
+  for (const std::string& file : files_below("tests", {".cpp"})) {
+    const std::string text = support::read_file(file);
+    if (!std::regex_search(text, of_tests)) continue;
+    ++found;
+    const std::string own = fs::path(file).stem().string() + " {\n";
+    EXPECT_TRUE(text.find("::" + own) != std::string::npos) << file;
+  }
+  EXPECT_GE(found, 150U);
+}
+
 TEST(Tree, ClangFormatHasNothingToChange) {
   std::vector<std::string> files;
   for (const char* folder : {"engine", "app", "tests"}) {
@@ -85,4 +99,4 @@ TEST(Tree, MandocFindsNothingToSayAboutThePages) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::tree_test

@@ -4,7 +4,7 @@
 
 #include "support/any_run.hpp"
 
-namespace carom {
+namespace carom::any_run_test {
 namespace {
 
 TEST(AnyRunLong, KeepsEveryInvariant) {
@@ -12,4 +12,4 @@ TEST(AnyRunLong, KeepsEveryInvariant) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::any_run_test

@@ -12,7 +12,7 @@
 #include "carom/simulation.hpp"
 #include "support/scenes.hpp"
 
-namespace carom {
+namespace carom::long_runs_test {
 namespace {
 
 /// Bytes of this program that are in memory.
@@ -83,4 +83,4 @@ TEST(LongRun, AHundredMillionCollisionsKeepTheirEnergy) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::long_runs_test

@@ -4,7 +4,7 @@
 #include "carom/simulation.hpp"
 #include "support/scenes.hpp"
 
-namespace carom {
+namespace carom::overlap_pile_test {
 namespace {
 
 // What falls loses energy and never gains any, and lies still in the end.
@@ -44,4 +44,4 @@ TEST(OverlapPileLong, TwoHundredBallsThatRubFallAsleepWithSmallOverlaps) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::overlap_pile_test

@@ -6,7 +6,7 @@
 #include "carom/report.hpp"
 #include "carom/verify.hpp"
 
-namespace carom {
+namespace carom::verify_test {
 namespace {
 
 class LongCase : public testing::TestWithParam<const char*> {};
@@ -26,4 +26,4 @@ INSTANTIATE_TEST_SUITE_P(Verify, LongCase,
                          [](const auto& name) { return std::string(name.param); });
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::verify_test

@@ -9,7 +9,7 @@
 
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::accuracy_interrupt_test {
 namespace {
 
 using support::Outcome;
@@ -35,4 +35,4 @@ TEST(AccuracyInterrupt, PrintsWhatIsDoneAndWritesNoFile) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::accuracy_interrupt_test

@@ -11,7 +11,7 @@
 
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::checkpoint_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ TEST(Checkpoint, OfAnotherRunIsRefused) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::checkpoint_test

@@ -9,7 +9,7 @@
 #include "completions/completions.hpp"
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::completions_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +134,4 @@ INSTANTIATE_TEST_SUITE_P(, Completions,
                          [](const auto& shell) { return shell.param.name; });
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::completions_test

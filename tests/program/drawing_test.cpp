@@ -6,7 +6,7 @@
 
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::drawing_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,4 +68,4 @@ TEST_F(Drawing, OfAGnuplotThatFailsIsNotLeftBehind) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::drawing_test

@@ -12,7 +12,7 @@
 #include "carom/effects.hpp"
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::effects_cost_test {
 namespace {
 
 using nlohmann::json;
@@ -249,4 +249,4 @@ TEST_F(Cost, OfInstructionsIsThatOfTheEffectsThatAreNamed) {
 #endif
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::effects_cost_test

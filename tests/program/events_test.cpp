@@ -6,7 +6,7 @@
 
 #include "program/written.hpp"
 
-namespace carom {
+namespace carom::events_test {
 namespace {
 
 using test::Json;
@@ -112,4 +112,4 @@ TEST(Events, OfOneInstantThatShareABallShareANumber) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::events_test

@@ -8,7 +8,7 @@
 
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::examples_test {
 namespace {
 
 const std::string kExamples = CAROM_SOURCE_DIR "/scenes/examples/";
@@ -78,4 +78,4 @@ TEST(Examples, TheEquationOfStateIsThatOfTheory) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::examples_test

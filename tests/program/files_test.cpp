@@ -10,7 +10,7 @@
 
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -217,4 +217,4 @@ TEST_F(Files, TheFolderOfScenesCanBeCheckedWhole) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::files_test

@@ -10,7 +10,7 @@
 #include "options.hpp"
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::help_test {
 namespace {
 
 std::string help(const std::vector<std::string>& arguments) {
@@ -166,4 +166,4 @@ TEST(Help, TheVersionIsOneLine) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::help_test

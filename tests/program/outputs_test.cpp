@@ -8,7 +8,7 @@
 #include "program/written.hpp"
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::outputs_test {
 namespace {
 
 using support::TemporaryFolder;
@@ -60,4 +60,4 @@ TEST(Report, LeavesTheStateOutWhereAsked) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::outputs_test

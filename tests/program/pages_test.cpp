@@ -9,7 +9,7 @@
 
 #include "support/process.hpp"
 
-namespace carom {
+namespace carom::pages_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -142,4 +142,4 @@ TEST(Pages, UseTheWordsOfTheField) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::pages_test

@@ -7,7 +7,7 @@
 
 #include "program/written.hpp"
 
-namespace carom {
+namespace carom::series_test {
 namespace {
 
 using test::number;
@@ -80,4 +80,4 @@ TEST(Series, ThePressureOnTheWallsOfADiluteGasIsThatOfTheVirial) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::series_test

@@ -8,7 +8,7 @@
 
 #include "program/written.hpp"
 
-namespace carom {
+namespace carom::trace_test {
 namespace {
 
 using test::Json;
@@ -90,4 +90,4 @@ TEST(Trace, AddsUpToThePhasesOfTheReport) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::trace_test

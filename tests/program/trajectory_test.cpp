@@ -8,7 +8,7 @@
 
 #include "program/written.hpp"
 
-namespace carom {
+namespace carom::trajectory_test {
 namespace {
 
 using test::Json;
@@ -74,4 +74,4 @@ TEST(Trajectory, EndsInTheStateOfTheReport) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::trajectory_test

@@ -5,7 +5,7 @@
 
 #include "support/any_run.hpp"
 
-namespace carom {
+namespace carom::any_run_test {
 namespace {
 
 TEST(AnyRun, KeepsEveryInvariant) {
@@ -23,4 +23,4 @@ TEST(AnyRun, KeepsWhatWasOnceBroken) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::any_run_test

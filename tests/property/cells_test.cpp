@@ -8,7 +8,7 @@
 
 #include "support/random_numbers.hpp"
 
-namespace carom {
+namespace carom::cells_test {
 namespace {
 
 /// Places of an axis that are one apart or the same, by trying all.
@@ -85,4 +85,4 @@ TEST(ByCell, KeepsTheGivenOrderInEachCell) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::cells_test

@@ -13,7 +13,7 @@
 #include "solvers/event/event_loop.hpp"
 #include "support/event_setting.hpp"
 
-namespace carom::event {
+namespace carom::event::conflict_groups_test {
 namespace {
 
 /// Balls on a lattice of places, of any sizes, some fixed, some in step, so that several meet at
@@ -185,4 +185,4 @@ TEST(ConflictGroups, HaveTheBitsOfOneEventLoopWithDrag) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::conflict_groups_test

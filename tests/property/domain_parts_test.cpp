@@ -15,7 +15,7 @@
 #include "solvers/event/domains/near_search.hpp"
 #include "trajectory/pair_time.hpp"
 
-namespace carom::event {
+namespace carom::event::domain_parts_test {
 namespace {
 
 double number(std::mt19937& random, double low, double high) {
@@ -299,4 +299,4 @@ TEST(Approach, FindsTheTwoEarliestOfMany) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::domain_parts_test

@@ -10,7 +10,7 @@
 #include "solvers/event/event_loop.hpp"
 #include "support/event_setting.hpp"
 
-namespace carom::event {
+namespace carom::event::domains_test {
 namespace {
 
 double sum(const std::vector<double>& terms) {
@@ -228,4 +228,4 @@ TEST(Domains, AreSolvedByThreads) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::domains_test

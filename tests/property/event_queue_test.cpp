@@ -11,7 +11,7 @@
 #include "solvers/event/event_queue_body.hpp"
 #include "solvers/event/short_lists.hpp"
 
-namespace carom::event {
+namespace carom::event::event_queue_test {
 namespace {
 
 using Words = std::vector<std::uint32_t>;
@@ -115,4 +115,4 @@ RC_GTEST_PROP(EventQueue, TheAgendaGivesTheEarliestThatIsStillWanted, ()) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_queue_test

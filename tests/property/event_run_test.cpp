@@ -12,7 +12,7 @@
 #include "verify/runs.hpp"
 #include "verify/transform.hpp"
 
-namespace carom {
+namespace carom::event_run_test {
 namespace {
 
 using test::number;
@@ -156,4 +156,4 @@ RC_GTEST_PROP(EventRun, TimeTurnedRoundComesBackTheNearerTheMoreDigits, ()) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::event_run_test

@@ -11,7 +11,7 @@
 #include "support/any_scene.hpp"
 #include "support/random_numbers.hpp"
 
-namespace carom {
+namespace carom::json_reader_test {
 namespace {
 
 using json::Kind;
@@ -157,4 +157,4 @@ TEST(JsonReader, TellsTextsWithEscapesLikeATreeReader) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::json_reader_test

@@ -7,7 +7,7 @@
 #include "fill/overlap_search.hpp"
 #include "support/random_numbers.hpp"
 
-namespace carom {
+namespace carom::overlap_search_test {
 namespace {
 
 bool overlap_of_all_pairs(const Box& box, const std::vector<Ball>& balls) {
@@ -62,4 +62,4 @@ TEST(OverlapSearch, SaysWhatAllPairsSay) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::overlap_search_test

@@ -6,7 +6,7 @@
 #include "carom/simulation.hpp"
 #include "support/scenes.hpp"
 
-namespace carom {
+namespace carom::overlap_test {
 namespace {
 
 // A scene drawn at random: loose or dense, with any of the effects, some balls fixed.
@@ -162,4 +162,4 @@ RC_GTEST_PROP(Overlap, AMirroredSceneGivesTheMirroredRun, ()) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::overlap_test

@@ -7,7 +7,7 @@
 
 #include "carom/scene_file.hpp"
 
-namespace carom {
+namespace carom::scene_round_trip_test {
 namespace {
 
 /// Any double a velocity can have: all bit patterns, also -0 and subnormal numbers.
@@ -123,4 +123,4 @@ RC_GTEST_PROP(SceneReader, ReadsOrRefusesAnyTextAndNeverFails, ()) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::scene_round_trip_test

@@ -10,7 +10,7 @@
 #include "carom/session.hpp"
 #include "support/any_scene.hpp"
 
-namespace carom {
+namespace carom::scene_stream_test {
 namespace {
 
 std::string streamed(const Session& session) {
@@ -74,4 +74,4 @@ TEST(SceneStream, AReportsStateIsTheOneInMemory) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::scene_stream_test

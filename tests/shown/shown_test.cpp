@@ -9,7 +9,7 @@
 #include "shown/shown_commands.hpp"
 #include "support/process.hpp"
 
-namespace carom::shown {
+namespace carom::shown::shown_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,4 +135,4 @@ TEST(Shown, LinksOfTheReadmeLeadSomewhere) {
 }
 
 }  // namespace
-}  // namespace carom::shown
+}  // namespace carom::shown::shown_test

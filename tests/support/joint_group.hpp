@@ -8,9 +8,13 @@
 
 #include "contact/joint_impact.hpp"
 
-namespace carom::event::test {
+namespace carom::test {
 
-using V = Vec<double>;
+using event::Body;
+using event::Contact;
+using event::JointReport;
+using event::kWall;
+using V = event::Vec<double>;
 
 /// Balls that touch each other, walls or fixed balls.
 struct Group {
@@ -18,7 +22,7 @@ struct Group {
   std::vector<Contact<double>> contacts;
 
   JointReport resolve() {
-    return joint_impact<double>(bodies, std::span<const Contact<double>>(contacts));
+    return event::joint_impact<double>(bodies, std::span<const Contact<double>>(contacts));
   }
 };
 
@@ -71,4 +75,4 @@ struct Rack {
   }
 };
 
-}  // namespace carom::event::test
+}  // namespace carom::test

@@ -9,7 +9,7 @@
 #include "support/process.hpp"
 #include "support/vterm_screen.hpp"
 
-namespace carom {
+namespace carom::cast_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -66,4 +66,4 @@ TEST(Cast, ReplayedShowsTheFramesOfTheDump) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::cast_test

@@ -11,7 +11,7 @@
 #include "support/vterm_screen.hpp"
 #include "terminal.hpp"
 
-namespace carom::test {
+namespace carom::test::log_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -149,4 +149,4 @@ TEST(Record, WhatCannotBeWrittenIsRefusedBeforeTheTerminalIsTouched) {
 }
 
 }  // namespace
-}  // namespace carom::test
+}  // namespace carom::test::log_test

@@ -5,7 +5,7 @@
 #include "steps.hpp"
 #include "terminal.hpp"
 
-namespace carom::test {
+namespace carom::test::mouse_test {
 namespace {
 
 // A fixed ball and one at rest in a box of 78 x 20 cells at 80x24: a length is 3.9 columns and 2
@@ -116,4 +116,4 @@ TEST(MouseOfPlay, NoMouseLeavesItToTheTerminal) {
 }
 
 }  // namespace
-}  // namespace carom::test
+}  // namespace carom::test::mouse_test

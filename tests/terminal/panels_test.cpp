@@ -10,7 +10,7 @@
 #include "steps.hpp"
 #include "terminal.hpp"
 
-namespace carom::test {
+namespace carom::test::panels_test {
 namespace {
 
 TEST(Panels, ShowWhatTheThreadsDoAndGoFromBarrierToBarrier) {
@@ -158,4 +158,4 @@ TEST(Panels, HoldWithinScreen) {
 }
 
 }  // namespace
-}  // namespace carom::test
+}  // namespace carom::test::panels_test

@@ -9,7 +9,7 @@
 #include "support/process.hpp"
 #include "terminal.hpp"
 
-namespace carom::test {
+namespace carom::test::picker_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -116,4 +116,4 @@ TEST(SettingsOfPlay, AreReadAndTheGlyphsOfAKeyAreRemembered) {
 }
 
 }  // namespace
-}  // namespace carom::test
+}  // namespace carom::test::picker_test

@@ -7,7 +7,7 @@
 #include "steps.hpp"
 #include "terminal.hpp"
 
-namespace carom::test {
+namespace carom::test::play_test {
 namespace {
 
 TEST(Play, ShowsTheBuiltInSceneMovingFrameByFrame) {
@@ -221,4 +221,4 @@ TEST(Play, WritesPlainAsciiWhereverItRuns) {
 }
 
 }  // namespace
-}  // namespace carom::test
+}  // namespace carom::test::play_test

@@ -13,7 +13,7 @@
 #include "view/player.hpp"
 #include "view/terminal_screen.hpp"
 
-namespace carom::test {
+namespace carom::test::refusal_test {
 namespace {
 
 /// Each row as it stands, so that words are found across the ends of rows.
@@ -122,4 +122,4 @@ TEST(Failure, InAWorkerGivesTheTerminalBackAndIsTold) {
 }
 
 }  // namespace
-}  // namespace carom::test
+}  // namespace carom::test::refusal_test

@@ -6,7 +6,7 @@
 #include "scenes.hpp"
 #include "terminal.hpp"
 
-namespace carom::test {
+namespace carom::test::signal_test {
 namespace {
 
 class EndedBySignal : public testing::TestWithParam<int> {};
@@ -50,4 +50,4 @@ INSTANTIATE_TEST_SUITE_P(Signals, Crash,
                                          SIGTRAP));
 
 }  // namespace
-}  // namespace carom::test
+}  // namespace carom::test::signal_test

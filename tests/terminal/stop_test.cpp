@@ -8,7 +8,7 @@
 #include "steps.hpp"
 #include "terminal.hpp"
 
-namespace carom::test {
+namespace carom::test::stop_test {
 namespace {
 
 TEST(Play, StopsAtTheStopKeyAndGoesOnWhereItWas) {
@@ -111,4 +111,4 @@ TEST(Play, AnswersKeysAndSignalsWhilePaused) {
 }
 
 }  // namespace
-}  // namespace carom::test
+}  // namespace carom::test::stop_test

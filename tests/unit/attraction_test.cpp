@@ -12,7 +12,7 @@
 #include "state/balls.hpp"
 #include "support/random_numbers.hpp"
 
-namespace carom {
+namespace carom::attraction_test {
 namespace {
 
 using Exact = boost::multiprecision::cpp_bin_float_50;
@@ -103,4 +103,4 @@ TEST(Attraction, OfOneBallIsNothing) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::attraction_test

@@ -11,7 +11,7 @@
 #include "unit/threads.hpp"
 #include "unit/watchdog.hpp"
 
-namespace carom {
+namespace carom::barrier_errors_test {
 namespace {
 
 using std::chrono::microseconds;
@@ -93,4 +93,4 @@ TEST(Barrier, MorePartiesThanItCanCountAreRefused) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::barrier_errors_test

@@ -9,7 +9,7 @@
 
 #include "crew/basic_barrier.hpp"
 
-namespace carom {
+namespace carom::barrier_hold_test {
 namespace {
 
 /// The two threads' system: a thread sleeps here until it is woken, and waits at a point of its way
@@ -153,4 +153,4 @@ TEST_F(BarrierHeld, ASleeperIsWoken) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::barrier_hold_test

@@ -11,7 +11,7 @@
 #include "unit/threads.hpp"
 #include "unit/watchdog.hpp"
 
-namespace carom {
+namespace carom::barrier_parties_test {
 namespace {
 
 using test::let_them_sleep;
@@ -145,4 +145,4 @@ TEST(Barrier, PartiesJoinAndLeaveWhileOthersRun) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::barrier_parties_test

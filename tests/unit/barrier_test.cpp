@@ -12,7 +12,7 @@
 #include "unit/threads.hpp"
 #include "unit/watchdog.hpp"
 
-namespace carom {
+namespace carom::barrier_test {
 namespace {
 
 using std::chrono::microseconds;
@@ -167,4 +167,4 @@ TEST(Barrier, TheNumberOfPhasesMayWrapAround) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::barrier_test

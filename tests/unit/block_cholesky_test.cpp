@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace carom::contact {
+namespace carom::contact::block_cholesky_test {
 namespace {
 
 // Bodies of random masses and random rows between them, some twice, some with a wall.
@@ -75,4 +75,4 @@ TEST(BlockCholesky, solves_for_any_rows_and_weights) {
 }
 
 }  // namespace
-}  // namespace carom::contact
+}  // namespace carom::contact::block_cholesky_test

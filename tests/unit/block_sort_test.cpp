@@ -9,7 +9,7 @@
 #include "solvers/event/physics.hpp"
 #include "support/flight_at.hpp"
 
-namespace carom::event {
+namespace carom::event::block_sort_test {
 namespace {
 
 /// Balls of radius 0.1, in a box of 20 by 10; those of the second species are larger.
@@ -118,4 +118,4 @@ TEST(BlockSort, FindsTheBallsThatAreLarger) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::block_sort_test

@@ -10,7 +10,7 @@
 
 #include "support/scenes.hpp"
 
-namespace carom::scene {
+namespace carom::scene::blocked_cells_test {
 namespace {
 
 // Places are looked at one by one: those that are blocked lie in the circle of some disk, and so
@@ -72,4 +72,4 @@ TEST(BlockedCells, AreNotThereWhereTheyDoNotPay) {
 }
 
 }  // namespace
-}  // namespace carom::scene
+}  // namespace carom::scene::blocked_cells_test

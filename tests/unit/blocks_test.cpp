@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace carom::event {
+namespace carom::event::blocks_test {
 namespace {
 
 Domain domain(double width, double height, bool periodic) {
@@ -60,4 +60,4 @@ TEST(Blocks, AreCutIntoDomainsThatHaveEachBlockOnce) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::blocks_test

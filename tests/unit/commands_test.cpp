@@ -10,7 +10,7 @@
 #include "carom/report.hpp"
 #include "carom/session.hpp"
 
-namespace carom {
+namespace carom::commands_test {
 namespace {
 
 template <class Effect>
@@ -161,4 +161,4 @@ TEST(Commands, BallsFallWhereWhatCarriedThemIsSwitchedOff) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::commands_test

@@ -7,7 +7,7 @@
 
 #include "contact/cone_interior.hpp"
 
-namespace carom::event {
+namespace carom::event::cone_descent_test {
 namespace {
 
 constexpr double kGoal = 1e-12;
@@ -113,4 +113,4 @@ TEST(ConeInterior, FindsTheSameLoads) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::cone_descent_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace carom::event {
+namespace carom::event::conflict_sets_test {
 namespace {
 
 using Members = std::vector<Index>;
@@ -120,4 +120,4 @@ TEST(ConflictSets, NoOrderOfThePairsShows) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::conflict_sets_test

@@ -5,7 +5,7 @@
 
 #include "effects/collisions.hpp"
 
-namespace carom {
+namespace carom::contact_group_test {
 namespace {
 
 // Kinetic and potential, of balls of mass 1.
@@ -72,4 +72,4 @@ TEST(ContactGroup, BallsThatFallTogetherAndTouchNothingElseKeepTheirMomentum) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::contact_group_test

@@ -7,7 +7,7 @@
 #include "contact/island.hpp"
 #include "support/island_equilibrium.hpp"
 
-namespace carom::contact {
+namespace carom::contact::contact_island_test {
 namespace {
 
 // Balls of radius 1/2 that touch, under gravity of size 1 downwards.
@@ -224,4 +224,4 @@ TEST(ContactIsland, UnitsThatArePowersOfTwoChangeNoBit) {
 }
 
 }  // namespace
-}  // namespace carom::contact
+}  // namespace carom::contact::contact_island_test

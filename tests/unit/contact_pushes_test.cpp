@@ -5,7 +5,7 @@
 
 #include "contact/pushes.hpp"
 
-namespace carom::contact {
+namespace carom::contact::contact_pushes_test {
 namespace {
 
 TEST(ContactPushes, ARowPassesOnWhatItsGapsLeave) {
@@ -35,4 +35,4 @@ TEST(ContactPushes, WithoutPushesThereIsNothingToPassOn) {
 }
 
 }  // namespace
-}  // namespace carom::contact
+}  // namespace carom::contact::contact_pushes_test

@@ -11,7 +11,7 @@
 #include "contact/touching.hpp"
 #include "support/scenes.hpp"
 
-namespace carom {
+namespace carom::contact_test {
 namespace {
 
 std::vector<Pair> sorted(const PairList& pairs) {
@@ -144,4 +144,4 @@ TEST(LineOfCentres, KeepsTheDirectionOfTinyDistances) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::contact_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace carom::contact {
+namespace carom::contact::contacts_last_test {
 namespace {
 
 // Elastic balls in a box with walls, under gravity.
@@ -75,4 +75,4 @@ TEST(ContactsLast, WhereAHeavyBallLiesOnALightOne) {
 }
 
 }  // namespace
-}  // namespace carom::contact
+}  // namespace carom::contact::contacts_last_test

@@ -18,7 +18,7 @@
 
 #include "unit/watchdog.hpp"
 
-namespace carom {
+namespace carom::crew_test {
 namespace {
 
 using test::Watchdog;
@@ -284,4 +284,4 @@ TEST(Crew, WhereTheSystemRefusesThreadsOneLineSaysHowManyThereWereAndWhatCuresIt
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::crew_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace carom::event {
+namespace carom::event::crossing_time_test {
 namespace {
 
 Domain square(double side) {
@@ -46,4 +46,4 @@ TEST(CrossingTime, IsOneWhereNothingMoves) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::crossing_time_test

@@ -8,7 +8,7 @@
 #include "view/ball_numbers.hpp"
 #include "view/trails.hpp"
 
-namespace carom {
+namespace carom::drawing_test {
 namespace {
 
 /// A box of 38 by 18 cells inside its sides.
@@ -147,4 +147,4 @@ TEST(Numbers, StandOnBallsThatAreWideEnough) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::drawing_test

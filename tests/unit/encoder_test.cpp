@@ -9,7 +9,7 @@
 
 #include "support/vterm_screen.hpp"
 
-namespace carom {
+namespace carom::encoder_test {
 namespace {
 
 Palette many() {
@@ -98,4 +98,4 @@ TEST(Encoder, WithoutColoursNoneIsSent) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::encoder_test

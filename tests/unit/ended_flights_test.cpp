@@ -9,7 +9,7 @@
 #include "solvers/event/flights_before.hpp"
 #include "solvers/event/physics.hpp"
 
-namespace carom::event {
+namespace carom::event::ended_flights_test {
 namespace {
 
 Rules box(bool periodic) {
@@ -153,4 +153,4 @@ TEST(FlightsBefore, BeganEarlierOnALaterClock) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::ended_flights_test

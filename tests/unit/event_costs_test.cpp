@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace carom::event {
+namespace carom::event::event_costs_test {
 namespace {
 
 // Events that all cost the same: those that were timed stand for all, however many there were.
@@ -33,4 +33,4 @@ TEST(EventCosts, HaveIslandsAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_costs_test

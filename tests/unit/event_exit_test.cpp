@@ -8,7 +8,7 @@
 #include "solvers/event/exit_lanes.hpp"
 #include "trajectory/damped_law.hpp"
 
-namespace carom::event {
+namespace carom::event::event_exit_test {
 namespace {
 
 class EventExit : public testing::Test {
@@ -78,4 +78,4 @@ TEST_F(EventExit, without_a_push_it_is_the_time_of_the_straight_way_and_at_rest_
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_exit_test

@@ -7,7 +7,7 @@
 
 #include "solvers/event/event_loop.hpp"
 
-namespace carom::event {
+namespace carom::event::event_friction_test {
 namespace {
 
 struct Spinning : Disk {
@@ -128,4 +128,4 @@ TEST(EventFriction, a_struck_rack_that_rubs_stays_its_own_mirror_image_to_the_la
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_friction_test

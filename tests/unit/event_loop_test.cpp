@@ -10,7 +10,7 @@
 #include "solvers/event/pair_lanes.hpp"
 #include "trajectory/pair_time.hpp"
 
-namespace carom::event {
+namespace carom::event::event_loop_test {
 namespace {
 
 /// Every pair looked at for every impact: slow, and hard to get wrong.
@@ -266,4 +266,4 @@ TEST(EventLoopAlone, four_pairs_at_once_have_the_bits_of_one_at_a_time) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_loop_test

@@ -5,7 +5,7 @@
 #include "solvers/event/domains/domains.hpp"
 #include "support/event_setting.hpp"
 
-namespace carom::event {
+namespace carom::event::event_memory_test {
 namespace {
 
 Scene gas(std::size_t side) {
@@ -78,4 +78,4 @@ TEST(EventMemory, HasNoNeighboursWithoutCollisions) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_memory_test

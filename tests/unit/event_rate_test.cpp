@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace carom::event {
+namespace carom::event::event_rate_test {
 namespace {
 
 BallsOfBox gas(std::size_t count, double radius, double area, double square_speed) {
@@ -53,4 +53,4 @@ TEST(EventRate, IsFiniteForAnyNumberOfBalls) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_rate_test

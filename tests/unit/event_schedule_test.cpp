@@ -8,7 +8,7 @@
 
 #include "solvers/event/event_queue_body.hpp"
 
-namespace carom::event {
+namespace carom::event::event_schedule_test {
 namespace {
 
 Rules rules() {
@@ -118,4 +118,4 @@ TEST_F(ScheduleOfEvents, GivesWhatIsDueInTheOrderOfTime) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_schedule_test

@@ -7,7 +7,7 @@
 #include "solvers/event/event_loop.hpp"
 #include "support/flight_at.hpp"
 
-namespace carom::event {
+namespace carom::event::event_simultaneous_test {
 namespace {
 
 Rules table(double width, double height) {
@@ -97,4 +97,4 @@ TEST(EventSimultaneous, a_struck_rack_stays_its_own_mirror_image_to_the_last_bit
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_simultaneous_test

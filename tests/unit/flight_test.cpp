@@ -6,7 +6,7 @@
 #include "effects/gravity.hpp"
 #include "effects/walls.hpp"
 
-namespace carom {
+namespace carom::flight_test {
 namespace {
 
 struct Outcome {
@@ -80,4 +80,4 @@ TEST(Domain, WrapsAnyDistanceAndMirrorsToTheBit) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::flight_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace carom::contact {
+namespace carom::contact::foreseen_links_test {
 namespace {
 
 // Balls of radius 1/2 as a flight has left them.
@@ -68,4 +68,4 @@ TEST(ForeseenLinks, NoStepRemembersThePushesOfTheOneBefore) {
 }
 
 }  // namespace
-}  // namespace carom::contact
+}  // namespace carom::contact::foreseen_links_test

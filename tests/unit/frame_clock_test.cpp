@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace carom {
+namespace carom::frame_clock_test {
 namespace {
 
 TEST(FrameClock, StandsForSimulatedTimeLessThePauses) {
@@ -54,4 +54,4 @@ TEST(FrameClock, KnowsTheOriginsThatAFileLeavesOut) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::frame_clock_test

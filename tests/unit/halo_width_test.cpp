@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace carom::event {
+namespace carom::event::halo_width_test {
 namespace {
 
 HaloWidth halo_of(double spacing, double radius) {
@@ -55,4 +55,4 @@ TEST(HaloWidth, StaysWhereOneInTwentyIsSolvedAgain) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::halo_width_test

@@ -5,7 +5,7 @@
 
 #include "carom/scene_file.hpp"
 
-namespace carom {
+namespace carom::history_test {
 namespace {
 
 /// Time that passes with each look.
@@ -107,4 +107,4 @@ TEST(History, StaysWithinItsMemoryAndReachesBackToTheStart) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::history_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace carom::event {
+namespace carom::event::impact_lines_test {
 namespace {
 
 /// Of balls a and a + 1.
@@ -141,4 +141,4 @@ TEST(ImpactLines, OfAnIslandTellALossEvenWhereNothingPresses) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::impact_lines_test

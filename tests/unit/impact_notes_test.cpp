@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace carom::event {
+namespace carom::event::impact_notes_test {
 namespace {
 
 Impact line(std::size_t a, std::uint64_t event = 0, double lost = 0) {
@@ -122,4 +122,4 @@ TEST(ImpactNotes, PutSlidesDownWhenTheInstantIsOverButForThoseThatGoOn) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::impact_notes_test

@@ -7,7 +7,7 @@
 
 #include "carom/simulation.hpp"
 
-namespace carom {
+namespace carom::impact_record_test {
 namespace {
 
 Impact impact(double time, std::size_t a, std::size_t b, std::uint64_t joint = 0) {
@@ -90,4 +90,4 @@ TEST(ImpactRecord, NothingIsNotedUnlessAskedFor) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::impact_record_test

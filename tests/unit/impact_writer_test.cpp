@@ -8,7 +8,7 @@
 #include "solvers/event/physics.hpp"
 #include "support/flight_at.hpp"
 
-namespace carom::event {
+namespace carom::event::impact_writer_test {
 namespace {
 
 /// Balls of radius 1/2 and mass 1, 2 in a box of 10 by 10.
@@ -132,4 +132,4 @@ TEST_F(Writing, SlidesAreNothingWithoutALog) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::impact_writer_test

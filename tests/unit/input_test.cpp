@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace carom {
+namespace carom::input_test {
 namespace {
 
 Event key_event(int value) {
@@ -119,4 +119,4 @@ TEST(Input, TakesAnyBytesWithoutHarm) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::input_test

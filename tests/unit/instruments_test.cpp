@@ -12,7 +12,7 @@
 #include "view/instruments_panel.hpp"
 #include "view/sparkline.hpp"
 
-namespace carom {
+namespace carom::instruments_test {
 namespace {
 
 /// Equal disks on a hexagonal lattice in a periodic box; each has its own direction, all the same
@@ -201,4 +201,4 @@ TEST(Sparkline, RisesWithItsValuesAndIsLevelWhereTheyAreEqual) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::instruments_test

@@ -10,7 +10,7 @@
 #include "solvers/event/islands/island_impact_body.hpp"
 #include "support/island_balls.hpp"
 
-namespace carom::event {
+namespace carom::event::island_impact_test {
 namespace {
 
 using Island = FoundIsland<double>;
@@ -169,4 +169,4 @@ TEST(IslandImpact, AStepAtTheSameTimeGivesGravityToAll) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::island_impact_test

@@ -6,7 +6,7 @@
 
 #include "support/island_balls.hpp"
 
-namespace carom::event {
+namespace carom::event::island_impulses_test {
 namespace {
 
 using Island = FoundIsland<double>;
@@ -88,4 +88,4 @@ TEST(IslandImpulses, KeepTheEnergyWhereAGapIsKept) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::island_impulses_test

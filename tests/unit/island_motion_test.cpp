@@ -4,7 +4,7 @@
 
 #include "contact/contact_graph.hpp"
 
-namespace carom::event {
+namespace carom::event::island_motion_test {
 namespace {
 
 // Towards the bottom and the left; away from them and along them nothing changes.
@@ -24,4 +24,4 @@ TEST(IslandMotion, IsStoppedAtAWallOnlyTowardsIt) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::island_motion_test

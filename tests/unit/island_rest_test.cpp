@@ -9,7 +9,7 @@
 #include "contact/rest_rules.hpp"
 #include "solvers/event/support.hpp"
 
-namespace carom::event {
+namespace carom::event::island_rest_test {
 namespace {
 
 constexpr StepScale kStep{{0, -1}, 1, 1};
@@ -118,4 +118,4 @@ TEST(IslandRest, WhatFlewOnAsBeforeWouldMeetWhatItTouches) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::island_rest_test

@@ -14,7 +14,7 @@
 #include "contact/rest_rules.hpp"
 #include "support/island_balls.hpp"
 
-namespace carom::event {
+namespace carom::event::island_search_test {
 namespace {
 
 using Island = FoundIsland<double>;
@@ -317,4 +317,4 @@ TEST(IslandSearch, IslandsOfAStepHaveNoBallInCommon) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::island_search_test

@@ -7,7 +7,7 @@
 #include "solvers/event/islands/island_stepping_body.hpp"
 #include "support/island_balls.hpp"
 
-namespace carom::event {
+namespace carom::event::island_stepping_test {
 namespace {
 
 using Island = FoundIsland<double>;
@@ -99,4 +99,4 @@ TEST(IslandStepping, ContactsAreCountedWhenTheyComeToRest) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::island_stepping_test

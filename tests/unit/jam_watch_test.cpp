@@ -7,7 +7,7 @@
 #include "contact/rest_rules.hpp"
 #include "solvers/event/fixed_time.hpp"
 
-namespace carom::event {
+namespace carom::event::jam_watch_test {
 namespace {
 
 constexpr double kGap = kTouching;
@@ -156,4 +156,4 @@ TEST(JamWatch, CountsOnWhereTimeIsCountedFromLaterOn) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::jam_watch_test

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace carom::event {
+namespace carom::event::joint_friction_test {
 namespace {
 
 using V = Vec<double>;
@@ -139,4 +139,4 @@ TEST(JointFriction, OfACornerThatIsHitStraightTurnsNothing) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::joint_friction_test

@@ -8,7 +8,7 @@
 #include "solvers/event/physics.hpp"
 #include "support/flight_at.hpp"
 
-namespace carom::event {
+namespace carom::event::joint_impacts_test {
 namespace {
 
 using Group = SimultaneousImpact<double>;
@@ -137,4 +137,4 @@ TEST(JointImpacts, ThoseThatDoNotPartStayTogether) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::joint_impacts_test

@@ -12,7 +12,7 @@
 #include "contact/reflection_limits.hpp"
 #include "contact/rounding_approaches.hpp"
 
-namespace carom::event {
+namespace carom::event::joint_parts_test {
 namespace {
 
 using Bodies = std::vector<Body<double>>;
@@ -170,4 +170,4 @@ TEST(KeptEnergy, SendsBackWhatCanMoveNowhereOrHoldsItsEnergy) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::joint_parts_test

@@ -4,7 +4,7 @@
 
 #include "view/threads_panel.hpp"
 
-namespace carom {
+namespace carom::lanes_test {
 namespace {
 
 /// Two workers, two phases, one frame: worker 0 computes 10 of 100 ns and 5, worker 1 20 and 30.
@@ -113,4 +113,4 @@ TEST(ThreadsPanel, NeedsNoLeastSize) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::lanes_test

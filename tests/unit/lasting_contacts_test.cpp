@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace carom::contact {
+namespace carom::contact::lasting_contacts_test {
 namespace {
 
 // Balls of radius 1/2 on a floor, under gravity of size 8, in steps of 1/64.
@@ -135,4 +135,4 @@ TEST(LastingContacts, JoiningLeavesOtherIslandsAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace carom::contact
+}  // namespace carom::contact::lasting_contacts_test

@@ -5,7 +5,7 @@
 #include "solvers/event/groups/conflict_groups.hpp"
 #include "support/event_setting.hpp"
 
-namespace carom::event {
+namespace carom::event::merge_forecast_test {
 namespace {
 
 TEST(MergeForecast, JoinsNothingWhereNothingIsSolvedAgain) {
@@ -87,4 +87,4 @@ TEST(MergeForecast, SolvesAHeapThatIsHitOnce) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::merge_forecast_test

@@ -7,7 +7,7 @@
 #include "solvers/event/physics.hpp"
 #include "support/flight_at.hpp"
 
-namespace carom::event {
+namespace carom::event::motion_test {
 namespace {
 
 /// A box of 10 by 10 around the origin; balls of radius 1/2 and mass 1, 2, and fixed ones.
@@ -97,4 +97,4 @@ TEST(Motion, AFixedBallStaysWhereItIsStruck) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::motion_test

@@ -6,7 +6,7 @@
 
 #include "support/flight_at.hpp"
 
-namespace carom::event {
+namespace carom::event::nearing_test {
 namespace {
 
 Motion<Ballistic> motion() {
@@ -52,4 +52,4 @@ TEST(Nearing, OfTwoBallsIsSeenFromEither) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::nearing_test

@@ -11,7 +11,7 @@
 #include "solvers/event/neighbours_body.hpp"
 #include "solvers/event/physics.hpp"
 
-namespace carom::event {
+namespace carom::event::neighbours_test {
 namespace {
 
 constexpr Index kBalls = 200;
@@ -120,4 +120,4 @@ TEST(Neighbours, AroundAPlaceAreAllThatAreNear) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::neighbours_test

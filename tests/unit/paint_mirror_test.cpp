@@ -8,7 +8,7 @@
 #include "view/camera.hpp"
 #include "view/disk.hpp"
 
-namespace carom {
+namespace carom::paint_mirror_test {
 namespace {
 
 char32_t mirrored(char32_t character, const std::u32string& from, const std::u32string& to) {
@@ -73,4 +73,4 @@ TEST(PaintMirror, DrawsASymmetricRackSymmetrically) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::paint_mirror_test

@@ -13,7 +13,7 @@
 #include "view/encoder.hpp"
 #include "view/text_screen.hpp"
 
-namespace carom {
+namespace carom::paint_test {
 namespace {
 
 int count(const Canvas& canvas, Ink ink) {
@@ -222,4 +222,4 @@ TEST(Canvas, ShowsOneQuestionMarkForALetterBeyondAscii) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::paint_test

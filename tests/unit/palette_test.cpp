@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-namespace carom {
+namespace carom::palette_test {
 namespace {
 
 double linear(unsigned value) {
@@ -97,4 +97,4 @@ TEST(Palette, TextStandsOutOnBlackAndOnWhite) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::palette_test

@@ -8,7 +8,7 @@
 #include "view/docks.hpp"
 #include "view/player.hpp"
 
-namespace carom {
+namespace carom::panels_test {
 namespace {
 
 /// Four balls that meet now and then, two workers.
@@ -167,4 +167,4 @@ TEST(Docks, GiveTheBoxHalfOfTheScreenEachWayAndOverlapNothing) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::panels_test

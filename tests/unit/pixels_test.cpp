@@ -9,7 +9,7 @@
 #include "view/camera.hpp"
 #include "view/paint.hpp"
 
-namespace carom {
+namespace carom::pixels_test {
 namespace {
 
 constexpr int kColumns = 82;
@@ -207,4 +207,4 @@ TEST(Camera, AnyViewOfAnySceneIsDrawn) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::pixels_test

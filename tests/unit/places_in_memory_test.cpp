@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace carom::event {
+namespace carom::event::places_in_memory_test {
 namespace {
 
 Domain square(double side) {
@@ -48,4 +48,4 @@ TEST(PlacesInMemory, AreOneForEachBallAndNextToItsNeighbours) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::places_in_memory_test

@@ -11,7 +11,7 @@
 #include "view/paint.hpp"
 #include "view/player.hpp"
 
-namespace carom {
+namespace carom::player_cost_test {
 namespace {
 
 /// Two balls that meet at 1.505 s, which steps of 1/4 s see a quarter late.
@@ -150,4 +150,4 @@ TEST(Player, TheMethodStaysWhereTheOtherCannotTakeTheSceneAndSaysWhy) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::player_cost_test

@@ -11,7 +11,7 @@
 #include "unit/stage.hpp"
 #include "view/player.hpp"
 
-namespace carom {
+namespace carom::player_keys_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -166,4 +166,4 @@ TEST(Player, ShowsFramesUnderAFloodOfKeys) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::player_keys_test

@@ -9,7 +9,7 @@
 #include "unit/stage.hpp"
 #include "view/player.hpp"
 
-namespace carom {
+namespace carom::player_scenes_test {
 namespace {
 
 /// A library of two scenes, of which one cannot be played.
@@ -71,4 +71,4 @@ TEST(Player, WithoutALibraryOrAFolderItSaysSo) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::player_scenes_test

@@ -12,7 +12,7 @@
 #include "unit/one_ball.hpp"
 #include "unit/stage.hpp"
 
-namespace carom {
+namespace carom::player_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -172,4 +172,4 @@ TEST(Player, SaysHowSmallIsTooSmallAndGoesOn) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::player_test

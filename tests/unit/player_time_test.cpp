@@ -9,7 +9,7 @@
 #include "unit/stage.hpp"
 #include "view/player.hpp"
 
-namespace carom {
+namespace carom::player_time_test {
 namespace {
 
 /// Balls that meet often, with losses, and what a person and a script do.
@@ -133,4 +133,4 @@ TEST(Player, TheBarOfTimeIsShownWhilePausedAndLeadsBack) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::player_time_test

@@ -9,7 +9,7 @@
 
 #include "support/predicted_balls.hpp"
 
-namespace carom::event {
+namespace carom::event::prediction_test {
 namespace {
 
 Rules box(double size, const std::array<double, 2>& gravity, bool periodic) {
@@ -173,4 +173,4 @@ TEST(Prediction, OfAPairKnowsWhatAFlightBeganAt) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::prediction_test

@@ -10,7 +10,7 @@
 
 #include "numbers/exact_sum.hpp"
 
-namespace carom::event {
+namespace carom::event::resolutions_test {
 namespace {
 
 /// One group of balls, and what it does: one impact for each of its balls.
@@ -165,4 +165,4 @@ TEST(Resolutions, KnowEachBallOnce) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::resolutions_test

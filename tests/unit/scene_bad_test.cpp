@@ -8,7 +8,7 @@
 
 #include "carom/scene_file.hpp"
 
-namespace carom {
+namespace carom::scene_bad_test {
 namespace {
 
 struct BadScene {
@@ -372,4 +372,4 @@ TEST(SceneBad, AHeapOfBallsIsRefusedWithAShortList) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::scene_bad_test

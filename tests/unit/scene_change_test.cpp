@@ -6,7 +6,7 @@
 #include "carom/scene_file.hpp"
 #include "scene/set_value.hpp"
 
-namespace carom {
+namespace carom::scene_change_test {
 namespace {
 
 std::string changed(const std::string& text, const std::string& change) {
@@ -94,4 +94,4 @@ TEST(SceneChange, AMalformedSceneIsReportedWhereItIsMalformed) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::scene_change_test

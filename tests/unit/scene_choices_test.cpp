@@ -5,7 +5,7 @@
 #include "carom/scene_file.hpp"
 #include "carom/session.hpp"
 
-namespace carom {
+namespace carom::scene_choices_test {
 namespace {
 
 Scene falling(std::size_t balls, double restitution) {
@@ -177,4 +177,4 @@ TEST(Duration, SpeedsThatMakeARunEndlessAreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::scene_choices_test

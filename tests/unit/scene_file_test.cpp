@@ -11,7 +11,7 @@
 #include "carom/simulation.hpp"
 #include "state/balls.hpp"
 
-namespace carom {
+namespace carom::scene_file_test {
 namespace {
 
 constexpr const char* kBare = R"({"box": {"width": 20, "height": 10}})";
@@ -209,4 +209,4 @@ TEST(Footprint, HasNoBarrierThatIsNeverMet) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::scene_file_test

@@ -3,7 +3,7 @@
 #include "carom/free_place.hpp"
 #include "carom/scene_file.hpp"
 
-namespace carom {
+namespace carom::scene_free_place_test {
 namespace {
 
 Scene in_island() {
@@ -43,4 +43,4 @@ TEST(FreePlace, IsNotThereForABallLargerThanTheBox) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::scene_free_place_test

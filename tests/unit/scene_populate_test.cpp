@@ -10,7 +10,7 @@
 #include "carom/scene_file.hpp"
 #include "fill/random.hpp"
 
-namespace carom {
+namespace carom::scene_populate_test {
 namespace {
 
 Scene gas(std::size_t count, Fill::Arrangement arrangement = Fill::Arrangement::random) {
@@ -264,4 +264,4 @@ TEST(WorkerCount, IsOneElsewhereWhereSharingDoesNotPay) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::scene_populate_test

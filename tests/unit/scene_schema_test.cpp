@@ -12,7 +12,7 @@
 
 #include "carom/scene_file.hpp"
 
-namespace carom {
+namespace carom::scene_schema_test {
 namespace {
 
 using nlohmann::json;
@@ -137,4 +137,4 @@ TEST_F(Schema, IsNamedByEveryScene) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::scene_schema_test

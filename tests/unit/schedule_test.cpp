@@ -12,7 +12,7 @@
 #include "carom/scene_file.hpp"
 #include "support/scenes.hpp"
 
-namespace carom {
+namespace carom::schedule_test {
 namespace {
 
 Command lossy_walls() {
@@ -122,4 +122,4 @@ TEST(Schedule, StopsAFewTimesWhereNothingHappens) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::schedule_test

@@ -14,7 +14,7 @@
 #include "unit/stage.hpp"
 #include "view/player.hpp"
 
-namespace carom {
+namespace carom::screens_test {
 namespace {
 
 /// Large balls, some fixed, one side periodic; two workers.
@@ -75,4 +75,4 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Screens,
                          });
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::screens_test

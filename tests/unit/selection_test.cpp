@@ -9,7 +9,7 @@
 #include "view/next_event.hpp"
 #include "view/pointer.hpp"
 
-namespace carom {
+namespace carom::selection_test {
 namespace {
 
 TEST(Pointer, ZoomingKeepsThePointUnderIt) {
@@ -138,4 +138,4 @@ TEST(Keys, AClickOnAHintIsItsKey) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::selection_test

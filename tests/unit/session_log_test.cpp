@@ -9,7 +9,7 @@
 #include "options.hpp"
 #include "schedule.hpp"
 
-namespace carom {
+namespace carom::session_log_test {
 namespace {
 
 Scene box_with(Method method, bool attraction) {
@@ -92,4 +92,4 @@ TEST(SessionLog, OfARunThatGoesOnBeginsWhereThatStood) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::session_log_test

@@ -4,7 +4,7 @@
 
 #include "carom/scene_file.hpp"
 
-namespace carom {
+namespace carom::session_test {
 namespace {
 
 Scene one_ball() {
@@ -175,4 +175,4 @@ TEST(Simulation, AFrameOrEndBetweenStepsShowsTheLatestStep) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::session_test

@@ -9,7 +9,7 @@
 #include "support/process.hpp"
 #include "view/unused_name.hpp"
 
-namespace carom {
+namespace carom::settings_file_test {
 namespace {
 
 using support::TemporaryFolder;
@@ -81,4 +81,4 @@ TEST(UnusedName, IsPlainAndNotTaken) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::settings_file_test

@@ -8,7 +8,7 @@
 #include "support/flight_at.hpp"
 #include "support/predicted_balls.hpp"
 
-namespace carom::event {
+namespace carom::event::simultaneous_choice_test {
 namespace {
 
 using Choice = SimultaneousChoice<Ballistic>;
@@ -153,4 +153,4 @@ TEST_F(Choosing, AllThatABallIsSentIntoWaits) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::simultaneous_choice_test

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-namespace carom::event {
+namespace carom::event::simultaneous_pairs_test {
 namespace {
 
 using Pairs = std::vector<Pair>;
@@ -118,4 +118,4 @@ TEST(PairGroups, ArePairsThatShareBalls) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::simultaneous_pairs_test

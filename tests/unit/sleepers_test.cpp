@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace carom::contact {
+namespace carom::contact::sleepers_test {
 namespace {
 
 // Balls of radius 1/2 under gravity of size 8, in steps of 1/64.  At the start of a step all but
@@ -89,4 +89,4 @@ TEST(Sleepers, AFlightIsTakenBack) {
 }
 
 }  // namespace
-}  // namespace carom::contact
+}  // namespace carom::contact::sleepers_test

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace carom {
+namespace carom::slice_cost_test {
 namespace {
 
 constexpr double kStep = 1.0 / 240;
@@ -86,4 +86,4 @@ TEST(SliceCost, OneDearCallMakesNoFrameLate) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::slice_cost_test

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace carom::event {
+namespace carom::event::slot_runs_test {
 namespace {
 
 struct Grid {
@@ -59,4 +59,4 @@ TEST(SlotRuns, HaveTheBallsOfACellAndOfThoseAroundItOnce) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::slot_runs_test

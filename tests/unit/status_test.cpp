@@ -5,7 +5,7 @@
 #include "view/keys.hpp"
 #include "view/meter.hpp"
 
-namespace carom {
+namespace carom::status_test {
 namespace {
 
 Status busy() {
@@ -101,4 +101,4 @@ TEST(Meter, TellsTheRateOfTheLastSecond) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::status_test

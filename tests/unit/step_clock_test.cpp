@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace carom::event {
+namespace carom::event::step_clock_test {
 namespace {
 
 /// The first multiple of 2^shift that is not before `now` and after `last`, by going there tick by
@@ -71,4 +71,4 @@ TEST(StepClock, ForgetsItsStepsWhenTheBallsAreOthers) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::step_clock_test

@@ -7,7 +7,7 @@
 
 #include "solvers/event/support.hpp"
 
-namespace carom::event {
+namespace carom::event::stepped_energy_test {
 namespace {
 
 constexpr Vec<double> kPull{0, -2};
@@ -97,4 +97,4 @@ TEST(SteppedEnergy, IsHeldWhereMoreIsLostThanRestingBallsHave) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::stepped_energy_test

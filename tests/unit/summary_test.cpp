@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace carom {
+namespace carom::summary_test {
 namespace {
 
 Report run_of(std::size_t workers, double computing, double waiting) {
@@ -60,4 +60,4 @@ TEST(Summary, BooksLosses) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::summary_test

@@ -6,7 +6,7 @@
 
 #include "support/island_balls.hpp"
 
-namespace carom::event {
+namespace carom::event::supports_test {
 namespace {
 
 struct Carried : IslandBalls {
@@ -101,4 +101,4 @@ TEST(Supports, IslandsAreGivenWhatTheyWillHaveFallen) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::supports_test

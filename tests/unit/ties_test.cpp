@@ -9,7 +9,7 @@
 
 #include "solvers/event/fixed_time.hpp"
 
-namespace carom::event {
+namespace carom::event::ties_test {
 namespace {
 
 // Held against a list of all that was noted, which forgets nothing.
@@ -50,4 +50,4 @@ TEST(Ties, AreGoneWhenCleared) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::ties_test

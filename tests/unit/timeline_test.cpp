@@ -10,7 +10,7 @@
 #include "carom/crew.hpp"
 #include "unit/watchdog.hpp"
 
-namespace carom {
+namespace carom::timeline_test {
 namespace {
 
 using test::Watchdog;
@@ -164,4 +164,4 @@ TEST(Timeline, RecordingIsSwitchedOffAndOnBetweenFrames) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::timeline_test

@@ -11,7 +11,7 @@
 #include "solvers/event/touch_search_body.hpp"
 #include "support/predicted_balls.hpp"
 
-namespace carom::event {
+namespace carom::event::touch_search_test {
 namespace {
 
 using Group = SimultaneousImpact<double>;
@@ -156,4 +156,4 @@ TEST(TouchSearch, TellsHowContactsBounceUnlessTheJamGivesUp) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::touch_search_test

@@ -7,7 +7,7 @@
 #include "solvers/event/groups/tracks.hpp"
 #include "solvers/event/physics.hpp"
 
-namespace carom::event {
+namespace carom::event::tracks_test {
 namespace {
 
 /// A ball at (-2, 0) that flies right at a speed of 2, and a fixed one at (3, 1), of radius 0.5, in
@@ -97,4 +97,4 @@ TEST_F(TracksOfTwo, TellHowFastTheBallsAreThatMove) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::tracks_test

@@ -8,7 +8,7 @@
 
 #include "carom/barrier.hpp"
 
-namespace carom {
+namespace carom::watchdog_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -38,4 +38,4 @@ TEST(Watchdog, LetsAThreadComputeAndSleepForAsLongAsItTakes) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::watchdog_test

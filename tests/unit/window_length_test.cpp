@@ -4,7 +4,7 @@
 
 #include "solvers/event/physics.hpp"
 
-namespace carom::event {
+namespace carom::event::window_length_test {
 namespace {
 
 using Length = WindowLength<Ballistic>;
@@ -108,4 +108,4 @@ TEST(WindowLength, WhereNothingMovesItIsAsLongAsAFlightMayBe) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::window_length_test

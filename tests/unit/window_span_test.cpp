@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace carom::event {
+namespace carom::event::window_span_test {
 namespace {
 
 constexpr FixedTime kFar = FixedTime{1} << 60;
@@ -92,4 +92,4 @@ TEST(WindowSpan, IsLongerWhereADomainIsAlone) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::window_span_test

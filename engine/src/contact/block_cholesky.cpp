@@ -11,10 +11,6 @@ typedef double Two __attribute__((vector_size(16), aligned(8), may_alias));
 typedef double Four __attribute__((vector_size(32), aligned(8), may_alias));
 // NOLINTEND(modernize-use-using)
 
-std::size_t index(int k) {
-  return static_cast<std::size_t>(k);
-}
-
 const Two& two(const double* at) {
   return *reinterpret_cast<const Two*>(at);
 }

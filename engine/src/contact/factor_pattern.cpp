@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::size_t kInAnyOrder = 3;  // bodies: so few fill nothing in
 
-std::size_t index(int k) {
-  return static_cast<std::size_t>(k);
-}
-
 }  // namespace
 
 void FactorPattern::analyse(std::size_t bodies, const Joined& joined) {

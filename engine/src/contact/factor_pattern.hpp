@@ -6,6 +6,11 @@
 
 namespace carom::contact {
 
+/// Of a body, block or place, as what indexes vectors.
+inline std::size_t index(int k) {
+  return static_cast<std::size_t>(k);
+}
+
 /// Where the blocks of a sparse symmetric matrix and of its Cholesky factor are: the order in which
 /// bodies are eliminated, one of least fill (approximate minimum degree), and the rows of each
 /// column of the factor.
@@ -22,7 +27,7 @@ class FactorPattern {
 
   [[nodiscard]] std::size_t bodies() const { return bodies_; }
   /// By body: when it is eliminated.
-  [[nodiscard]] int place(int body) const { return place_[static_cast<std::size_t>(body)]; }
+  [[nodiscard]] int place(int body) const { return place_[index(body)]; }
   /// By place: where the column starts; its first block is the diagonal one.
   [[nodiscard]] const std::vector<int>& columns() const { return column_; }
   /// By block: the place of its row.

@@ -14,7 +14,7 @@ constexpr int kMoreIterations = 150;
 constexpr double kCompliance = 1e-13;  // keeps the pivots positive
 constexpr double kAlmost = 0.995;      // of the way to the border
 constexpr double kDiffers = 4;         // times the mean by which a problem differs from the last
-constexpr double kClosed = 0x1p12;     // a gap that closes slower than this many goals
+constexpr double kPressed = 0x1p12;    // a gap that closes slower than this many goals
 constexpr std::size_t kFew = 256;      // rows; of more, guesses fail too often
 
 }  // namespace
@@ -174,7 +174,7 @@ typename InteriorPoint<D>::Outcome InteriorPoint<D>::solve(const ContactProblem<
   const std::size_t m = problem.rows.size();
   std::vector<char> first(m);
   for (std::size_t k = 0; k < m; ++k) {
-    const bool carries = like != nullptr ? (*like)[k] > 0 : problem.rows[k].q < kClosed * goal;
+    const bool carries = like != nullptr ? (*like)[k] > 0 : problem.rows[k].q < kPressed * goal;
     first[k] = carries ? 1 : 0;
   }
   impulses.assign(m, 0.0);

@@ -6,7 +6,7 @@
 #include "trajectory/fixed_disk_time.hpp"
 #include "trajectory/flight.hpp"
 
-namespace carom::event {
+namespace carom::event::event_contact_peg_test {
 namespace {
 
 using test::Exact;
@@ -102,4 +102,4 @@ TEST(EventFixedDiskTime, InMoreDigitsAgreesWithDouble) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_contact_peg_test

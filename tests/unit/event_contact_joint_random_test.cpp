@@ -9,7 +9,7 @@
 #include "support/joint_group.hpp"
 #include "support/random_numbers.hpp"
 
-namespace carom::event {
+namespace carom::event::event_contact_joint_random_test {
 namespace {
 
 using carom::test::RandomNumbers;
@@ -189,4 +189,4 @@ TEST(EventJointImpact, OfRandomGroupsDoesNotSeeOrderMirrorsOrAxes) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_contact_joint_random_test

@@ -13,7 +13,7 @@
 #include "trajectory/pair_time.hpp"
 #include "trajectory/wall_time.hpp"
 
-namespace carom::event {
+namespace carom::event::event_contact_rest_test {
 namespace {
 
 using V = Vec<double>;
@@ -218,4 +218,4 @@ TEST(EventIsland, ResolvingNeverMakesEnergyAndLeavesNothingApproaching) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_contact_rest_test

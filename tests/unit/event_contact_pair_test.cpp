@@ -8,7 +8,7 @@
 #include "trajectory/flight.hpp"
 #include "trajectory/pair_time.hpp"
 
-namespace carom::event {
+namespace carom::event::event_contact_pair_test {
 namespace {
 
 using test::error_in_u;
@@ -280,4 +280,4 @@ TEST(EventPairImpact, DeflectsAGrazingBallRightly) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_contact_pair_test

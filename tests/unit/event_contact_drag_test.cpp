@@ -7,7 +7,7 @@
 #include "solvers/event/flight_lanes.hpp"
 #include "trajectory/damped_law.hpp"
 
-namespace carom::event {
+namespace carom::event::event_contact_drag_test {
 namespace {
 
 using Exact = boost::multiprecision::cpp_bin_float_50;
@@ -182,4 +182,4 @@ TEST_F(Drag, four_flights_at_once_have_the_bits_of_one_at_a_time) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_contact_drag_test

@@ -8,7 +8,7 @@
 #include "trajectory/pair_time.hpp"
 #include "trajectory/wall_time.hpp"
 
-namespace carom::event {
+namespace carom::event::event_contact_symmetry_test {
 namespace {
 
 using V = Vec<double>;
@@ -95,4 +95,4 @@ RC_GTEST_PROP(EventContact, WallTimeScalesExactlyWithPowersOfTwo, ()) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_contact_symmetry_test

@@ -7,7 +7,7 @@
 #include "support/exact_number.hpp"
 #include "support/joint_group.hpp"
 
-namespace carom::event {
+namespace carom::event::event_contact_joint_test {
 namespace {
 
 using test::approaches;
@@ -150,4 +150,4 @@ TEST(EventJointImpact, AnInelasticGroupMovesOnAsOne) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_contact_joint_test

@@ -7,7 +7,7 @@
 #include "support/random_numbers.hpp"
 #include "trajectory/wall_time.hpp"
 
-namespace carom::event {
+namespace carom::event::event_contact_wall_test {
 namespace {
 
 using test::error_in_u;
@@ -102,4 +102,4 @@ TEST(EventWallTime, HeightsFallByTheSquareOfTheRestitution) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_contact_wall_test

@@ -9,7 +9,7 @@
 #include "contact/joint_impact.hpp"
 #include "support/exact_number.hpp"
 
-namespace carom::event {
+namespace carom::event::event_contact_jammed_test {
 namespace {
 
 using V = Vec<double>;
@@ -205,4 +205,4 @@ TEST(EventJammed, InAHundredDigitsToo) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::event_contact_jammed_test
