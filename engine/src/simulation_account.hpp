@@ -13,10 +13,9 @@ namespace carom {
 class SimulationAccount {
  public:
   explicit SimulationAccount(const Solver& solver)
-      : initial_(solver.energy()),
-        largest_(std::abs(initial_)),
-        dissipated_before_(solver.dissipated()),
-        momentum_initial_(solver.momentum()) {}
+      : initial_(solver.sums()),
+        largest_(std::abs(initial_.energy)),
+        dissipated_before_(solver.dissipated()) {}
 
   /// Around a command: the energy before and after it.
   void command(double before, double after) {
@@ -24,13 +23,14 @@ class SimulationAccount {
     largest_ = std::max({largest_, std::abs(before), std::abs(after)});
   }
   void measure(const Solver& solver, Measurements& result) const {
-    result.energy_initial = initial_;
-    result.energy_final = solver.energy();
+    const Solver::Sums final = solver.sums();
+    result.energy_initial = initial_.energy;
+    result.energy_final = final.energy;
     result.energy_input = input_;
     result.energy_dissipated = std::max(0.0, solver.dissipated() - dissipated_before_);
     result.energy_largest = largest_;
-    result.momentum_initial = momentum_initial_;
-    result.momentum_final = solver.momentum();
+    result.momentum_initial = initial_.momentum;
+    result.momentum_final = final.momentum;
   }
   /// By commands.
   [[nodiscard]] double input() const { return input_; }
@@ -42,10 +42,9 @@ class SimulationAccount {
   }
 
  private:
-  double initial_;
+  Solver::Sums initial_;
   double largest_;
   double dissipated_before_;
-  Vec2 momentum_initial_;
   double input_ = 0;
 };
 

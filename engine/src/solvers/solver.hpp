@@ -62,6 +62,12 @@ class Solver {
   [[nodiscard]] virtual std::vector<double> losses() const = 0;
   virtual void go_on_from_losses(const std::vector<double>& losses) = 0;
   [[nodiscard]] virtual Vec2 momentum() const = 0;
+  struct Sums {
+    double energy;
+    Vec2 momentum;
+  };
+  /// Both.
+  [[nodiscard]] virtual Sums sums() const { return {energy(), momentum()}; }
   /// Adds what the solver has counted: impacts, deepest overlap, seconds of the effects.
   virtual void count(Measurements& measurements) const = 0;
   /// Writes into the scene what it takes to go on bit for bit, but for balls and flights.

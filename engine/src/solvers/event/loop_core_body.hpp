@@ -101,6 +101,7 @@ std::size_t LoopCore<P>::aim(double time) {
 
 template <class P>
 void LoopCore<P>::set_workers(std::size_t workers) {
+  if (workers == workers_) return;
   const Way way = choose_way();
   workers_ = workers;
   if (way != choose_way()) {

@@ -106,7 +106,6 @@ void LoopCore<P>::start() {
     std::iota(slot_.begin(), slot_.end(), 0U);
   }
   std::map<std::pair<S, S>, Index> all_species;
-  std::vector<Disk> disks(balls_.size());
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     const BasicSpecies<S> species{balls_[i].radius,
                                   balls_[i].fixed ? S(0) : S(1 / S(balls_[i].mass))};
@@ -117,8 +116,14 @@ void LoopCore<P>::start() {
   }
   supports_.resize(balls_.size(), 0);
   for (std::size_t i = 0; i < balls_.size(); ++i) {
-    disks[slot_[i]] = flights_[i];
-    disks[slot_[i]].species += static_cast<Index>(supports_[i] * rules.all_species.size());
+    flights_[i].species += static_cast<Index>(supports_[i] * rules.all_species.size());
+  }
+  std::vector<Disk> disks;
+  if (way == Way::loop) {
+    disks.resize(balls_.size());
+    for (std::size_t i = 0; i < balls_.size(); ++i) disks[slot_[i]] = flights_[i];
+  } else {
+    disks = std::move(flights_);
   }
   loop_.reset();
   groups_.reset();

@@ -83,7 +83,11 @@ Turns LoopCore<P>::turns(bool of_present_flights) const {
 
 template <class P>
 void LoopCore<P>::read_balls(std::size_t first, std::span<Ball> balls) const {
+  constexpr std::size_t kBallsAhead = 16;
   for (std::size_t k = 0; k < balls.size(); ++k) {
+    if constexpr (kShares) {
+      if (domains_ && k + kBallsAhead < balls.size()) domains_->fetch(first + k + kBallsAhead);
+    }
     Ball& ball = balls[k];
     if (ball.fixed) continue;
     const Disk disk = flight(first + k);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "solvers/event/fixed_disk_cells.hpp"
 #include "solvers/event/loop_core.hpp"
 #include "solvers/event/wide_physics.hpp"
 #include "state/domain.hpp"
@@ -22,9 +23,8 @@ bool touches_wall(const Ball& ball, const Domain& domain) {
   return false;
 }
 
-bool touches_fixed(const Ball& ball, const std::vector<Ball>& balls, const Domain& domain) {
-  return std::any_of(balls.begin(), balls.end(), [&](const Ball& other) {
-    if (!other.fixed) return false;
+bool touches_fixed(const Ball& ball, const FixedDiskCells& fixed, const Domain& domain) {
+  return fixed.any_near(ball, [&](const Ball& other) {
     const double reach = (ball.radius + other.radius) * (1 + kTouching);
     return nearest_image(other.position - ball.position, domain).squaredNorm() <= reach * reach;
   });
@@ -46,9 +46,10 @@ bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
   }
   // Without losses only what touches from the start can rest, and what fits exactly between walls.
   const Domain domain(scene.box, scene.effects.walls.has_value());
+  const FixedDiskCells fixed(domain, balls);
   return std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
     return !ball.fixed && (touches_wall(ball, domain) ||
-                           (scene.effects.collisions && touches_fixed(ball, balls, domain)));
+                           (scene.effects.collisions && touches_fixed(ball, fixed, domain)));
   });
 }
 

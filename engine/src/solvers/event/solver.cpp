@@ -119,20 +119,14 @@ std::string EventSolver::state_hash() const {
   return hash.text();
 }
 
-double EventSolver::energy() const {
+// In one pass over the state.
+Solver::Sums EventSolver::sums() const {
   const Vec2 gravity = effects_.gravity ? effects_.gravity->acceleration : Vec2{0, 0};
   const Turns turns = core_->turns();
   Totals totals(effects_.friction.has_value(), gravity, {domain_.period[0], domain_.period[1]},
                 turns);
   visit_state([&totals](const Ball& ball) { totals.add(ball); });
-  return totals.energy() - core_->energy_ahead();
-}
-
-Vec2 EventSolver::momentum() const {
-  const Turns no_turns;
-  Totals totals(false, {0, 0}, {0, 0}, no_turns);
-  visit_state([&totals](const Ball& ball) { totals.add(ball); });
-  return totals.momentum();
+  return {totals.energy() - core_->energy_ahead(), totals.momentum()};
 }
 
 void EventSolver::count(Measurements& measurements) const {

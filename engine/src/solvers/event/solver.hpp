@@ -31,13 +31,14 @@ class EventSolver final : public Solver {
     return core_->exact_positions();
   }
   [[nodiscard]] std::string state_hash() const override;
-  [[nodiscard]] double energy() const override;
+  [[nodiscard]] double energy() const override { return sums().energy; }
   [[nodiscard]] double dissipated() const override { return core_->dissipated(); }
   [[nodiscard]] std::vector<double> losses() const override { return core_->losses(); }
   void go_on_from_losses(const std::vector<double>& losses) override {
     core_->go_on_from_losses(losses);
   }
-  [[nodiscard]] Vec2 momentum() const override;
+  [[nodiscard]] Vec2 momentum() const override { return sums().momentum; }
+  [[nodiscard]] Sums sums() const override;
   void count(Measurements& measurements) const override;
   void save(Scene& scene) const override;
   void visit_flights(const FlightVisitor& visit) const override { core_->visit_flights(visit); }

@@ -78,6 +78,8 @@ class Domains {
 
   [[nodiscard]] FixedTime now() const { return now_; }
   [[nodiscard]] Disk flight(std::size_t ball) const;
+  /// What `flight` reads, ahead.
+  void fetch(std::size_t ball) const;
   [[nodiscard]] double spin(std::size_t ball) const;
   [[nodiscard]] const Motion<P>& motion() const { return *motion_; }
   [[nodiscard]] Counts counts() const;

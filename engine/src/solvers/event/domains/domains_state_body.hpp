@@ -28,6 +28,12 @@ auto Domains<P>::flight(std::size_t ball) const -> Disk {
 }
 
 template <class P>
+void Domains<P>::fetch(std::size_t ball) const {
+  number_balls();
+  if (!open_) __builtin_prefetch(&next_[memory_[ball]]);
+}
+
+template <class P>
 double Domains<P>::spin(std::size_t ball) const {
   number_balls();
   const Index k = memory_[ball];
