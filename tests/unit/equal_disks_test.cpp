@@ -9,7 +9,7 @@
 
 #include "support/scenes.hpp"
 
-namespace carom::scene {
+namespace carom::scene::equal_disks_test {
 namespace {
 
 double distance(const Box& box, const Vec2& a, const Vec2& b) {
@@ -65,4 +65,4 @@ TEST(EqualDisks, MayTouch) {
 }
 
 }  // namespace
-}  // namespace carom::scene
+}  // namespace carom::scene::equal_disks_test

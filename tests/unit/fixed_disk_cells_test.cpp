@@ -8,7 +8,7 @@
 
 #include "support/scenes.hpp"
 
-namespace carom::event {
+namespace carom::event::fixed_disk_cells_test {
 namespace {
 
 Box box_of(double width, double height, bool around_x, bool around_y) {
@@ -93,4 +93,4 @@ TEST(FixedDiskCells, AreNoneWhereNothingIsFixed) {
 }
 
 }  // namespace
-}  // namespace carom::event
+}  // namespace carom::event::fixed_disk_cells_test

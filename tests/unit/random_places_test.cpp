@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace carom::scene {
+namespace carom::scene::random_places_test {
 namespace {
 
 struct Case {
@@ -115,4 +115,4 @@ TEST(RandomPlaces, AreThoseOfOneDrawAndOneTestAfterTheOther) {
 }
 
 }  // namespace
-}  // namespace carom::scene
+}  // namespace carom::scene::random_places_test
