@@ -64,7 +64,7 @@ Setting draw(unsigned seed, bool drags, bool loses = false) {
       if (giant && column > 0 && column < 11 && row > 0 && row < 11) continue;
       Disk disk;
       disk.species = equal || draw.one_in(2) ? 0 : 2;
-      const bool fixed = !rules.falls && !drags && draw.one_in(15);
+      const bool fixed = !loses && !drags && draw.one_in(15);
       if (fixed) disk.species = 1;
       const double off = in_step ? 0 : 0.49 - most;
       disk.x = 0.5 + column + draw.number(-off, off);
@@ -83,7 +83,7 @@ Setting draw(unsigned seed, bool drags, bool loses = false) {
     rules.all_species.push_back({4.9, draw.one_in(3) ? 0.0 : 0.02});
     Disk disk;
     disk.species = static_cast<Index>(rules.all_species.size() - 1);
-    if (rules.all_species.back().fixed() && (rules.falls || drags))
+    if (rules.all_species.back().fixed() && (loses || drags))
       rules.all_species.back().inverse_mass = 0.1;
     disk.x = disk.y = 6;
     if (!rules.all_species.back().fixed()) disk.vx = draw.number(-1, 1);
@@ -107,7 +107,9 @@ bool depends_on_order(const Setting& setting, const EventLoop<P>& expected) {
   for (int k = 1; k <= 8; ++k) {
     loop.advance_to(end / 8 * k);
     const std::vector<double> spins = loop.spins();
-    loop.reset({loop.disks().begin(), loop.disks().end()}, end / 8 * k, {}, spins);
+    std::vector<Index> lefts(n);
+    for (std::size_t i = 0; i < n; ++i) lefts[i] = loop.left(static_cast<Index>(i));
+    loop.reset({loop.disks().begin(), loop.disks().end()}, end / 8 * k, lefts, spins);
   }
   loop.advance_to(end);
   for (std::size_t i = 0; i < n; ++i) {

@@ -17,8 +17,8 @@ inline bool domains_suit(const Effects& effects, const std::array<bool, 2>& peri
   const bool loses = loses_energy(effects);
   // Where nothing takes energy, what rests touches from the start.
   if (rests && !loses) return false;
-  const bool bends = effects.gravity || effects.drag;
-  if (bends && fixed) return false;
+  // On fixed balls nothing may come to rest.
+  if (fixed && (effects.drag || (effects.gravity && loses))) return false;
   // What drag takes is known by the time alone where nothing else takes energy.
   if (effects.drag && (effects.gravity || effects.friction || loses)) return false;
   if (!effects.gravity) return true;

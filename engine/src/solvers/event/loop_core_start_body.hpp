@@ -133,7 +133,7 @@ void LoopCore<P>::start() {
     if (way == Way::domains) {
       domains_ = std::make_unique<Domains<P>>(rules);
       domains_->set_workers(workers_);
-      domains_->reset(disks, now_.ticks, effects_.friction ? spins_ : std::vector<S>{});
+      domains_->reset(disks, now_.ticks, effects_.friction ? spins_ : std::vector<S>{}, left_);
       flights_.clear();
       if (effects_.drag) {
         std::vector<Ball> balls = balls_;

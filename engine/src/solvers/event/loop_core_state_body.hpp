@@ -29,7 +29,9 @@ auto LoopCore<P>::spin(std::size_t ball) const -> std::optional<S> {
 
 template <class P>
 Index LoopCore<P>::left(std::size_t ball) const {
-  if (domains_) return kUnknown;
+  if constexpr (kShares) {
+    if (domains_) return domains_->left(ball);
+  }
   return groups_ ? groups_->left(ball) : loop_->left(slot_[ball]);
 }
 

@@ -37,11 +37,10 @@ DomainLoop<P>::DomainLoop(const Motion<P>& motion, double normal_radius)
 }
 
 template <class P>
-void DomainLoop<P>::begin(const DomainWindow& window, const BlockFlight* memory,
-                          const double* spins) {
+void DomainLoop<P>::begin(const DomainWindow& window, const Memory& memory) {
   window_ = window;
   memory_ = memory;
-  memory_spins_ = spins;
+  falls_on_fixed_ = memory.lefts != nullptr;
   tracked_ = window.halo;
   end_ = seconds(window.until);
   bend_per_square_ = std::hypot(pull_[0], pull_[1]);
@@ -77,7 +76,7 @@ template <class P>
 
 template <class P>
 void DomainLoop<P>::load(Index memory, bool own) {
-  const BlockFlight& flight = memory_[memory];
+  const BlockFlight& flight = memory_.flights[memory];
   const Path path = path_at_start(flight);
   const Vec<double> shift = ahead({path.vx, path.vy});
   Loaded ball{static_cast<float>(path.x + shift.x),
@@ -122,11 +121,14 @@ bool DomainLoop<P>::start() {
   lists_.reset(n);
   sort_into_slots();
   if (contacts_last_ && any_rests()) return false;
-  const double slack = kSlackOfRadius * smallest_radius_ +
-                       kSlackOfBox * (std::abs(window_.middle[0]) + window_.loaded[0] +
-                                      std::abs(window_.middle[1]) + window_.loaded[1]);
-  approach_ = Approach(wrapped, smallest_radius_, mixed_ ? radii_.data() : nullptr, slack);
+  slack_ = kSlackOfRadius * smallest_radius_ +
+           kSlackOfBox * (std::abs(window_.middle[0]) + window_.loaded[0] +
+                          std::abs(window_.middle[1]) + window_.loaded[1]);
+  approach_ = Approach(wrapped, smallest_radius_, mixed_ ? radii_.data() : nullptr, slack_);
   list_all();
+  for (std::size_t k = 0; falls_on_fixed_ && k < flights_.size(); ++k) {
+    note_fixed(static_cast<Slot>(k));
+  }
   first_events();
   return !unusual_;
 }
@@ -158,15 +160,19 @@ void DomainLoop<P>::sort_into_slots() {
   memories_.resize(n);
   tracks_.resize(tracked_ ? n : 0);
   spins_.resize(motion_.rules().spins ? n : 0);
+  lefts_.resize(falls_on_fixed_ ? n : 0);
   radii_.resize(mixed_ ? n + NearLists::kShort + 2 : 0);
   large_.clear();
   for (const Loaded& ball : loading_) {
     const std::uint32_t k = ends_[ball.cell]++;
     BlockFlight& flight = flights_[k];
-    flight = memory_[ball.memory];
+    flight = memory_.flights[ball.memory];
     memories_[k] = ball.memory;
     const Path path = path_at_start(flight);
     paths_[k] = path;
+    // To one that falls it does not move straight: its times are asked for one by one.
+    if (falls_on_fixed_ && motion_.fixed(flight)) paths_[k].vx = std::nan("");
+    if (falls_on_fixed_) lefts_[k] = memory_.lefts[ball.memory];
     Side& side = sides_[k];
     side = {};
     side.x = ball.x;
@@ -179,7 +185,7 @@ void DomainLoop<P>::sort_into_slots() {
     if (tracked_) {
       tracks_[k] = {0, static_cast<float>(path.x), static_cast<float>(path.y), 0, ball.distance};
     }
-    if (!spins_.empty()) spins_[k] = memory_spins_[ball.memory];
+    if (!spins_.empty()) spins_[k] = memory_.spins[ball.memory];
     if (mixed_) radii_[k] = r;
     search_.set(k, ball.x, ball.y, r);
     if (r > normal_radius_) {

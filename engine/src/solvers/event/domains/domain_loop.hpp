@@ -69,9 +69,15 @@ class DomainLoop {
   /// `normal_radius`: balls that are larger are few, and looked at one by one.
   DomainLoop(const Motion<P>& motion, double normal_radius);
 
-  /// Forgets all balls.  `memory`, the flights to load from, and `spins` (null: balls have none)
-  /// are to last until `start`.
-  void begin(const DomainWindow& window, const BlockFlight* memory, const double* spins);
+  /// Of the flights to load from; they are to last until `start`.
+  struct Memory {
+    const BlockFlight* flights = nullptr;
+    const double* spins = nullptr;  ///< null: balls have none
+    const Index* lefts = nullptr;   ///< the number of the fixed ball at which each began, or
+                                    ///< kUnknown; null: it does not matter
+  };
+  /// Forgets all balls.
+  void begin(const DomainWindow& window, const Memory& memory);
   /// `memory`: the number of the flight.
   void load(Index memory, bool own);
   /// With all balls loaded.  False: the window is not for a domain.
@@ -85,6 +91,8 @@ class DomainLoop {
   [[nodiscard]] const double* spin(std::size_t k) const {
     return spins_.empty() ? nullptr : &spins_[k];
   }
+  /// The number of the fixed ball at which its flight began; kUnknown: none.
+  [[nodiscard]] Index left(std::size_t k) const { return lefts_.empty() ? kUnknown : lefts_[k]; }
   [[nodiscard]] Index memory(std::size_t k) const { return memories_[k]; }
   [[nodiscard]] bool owns(std::size_t k) const { return sides_[k].own != 0; }
   /// It was followed to the end of the window.
@@ -136,10 +144,11 @@ class DomainLoop {
     Slot partner = slot_mark(kUnknown);  ///< of its event
     bool own : 1 = false;
     bool fixed : 1 = false;
-    bool at_wall : 1 = false;  ///< a wall may be within its circle
-    bool far : 1 = false;      ///< its flight may be long enough to start again in the window
-    bool bounded : 1 = false;  ///< its event is at a lower bound of its time
-    [[nodiscard]] bool alone() const { return at_wall || far; }
+    bool at_wall : 1 = false;   ///< a wall may be within its circle
+    bool far : 1 = false;       ///< its flight may be long enough to start again in the window
+    bool at_fixed : 1 = false;  ///< it falls, and a fixed ball is in its list
+    bool bounded : 1 = false;   ///< its event is at a lower bound of its time
+    [[nodiscard]] bool exactly() const { return at_wall || far || at_fixed; }
   };
   static_assert(sizeof(Side) == 32);
   /// What is compared with other domains.
@@ -199,6 +208,9 @@ class DomainLoop {
   [[nodiscard]] double straightened(double since) const;
   void settle(Slot i, Meeting<P> best, FixedTime now);
   void predict_exactly(Slot i, FixedTime now);
+  void note_fixed(Slot i);
+  void meet_fixed(Slot i, FixedTime now, double soonest, Meeting<P>& best);
+  [[nodiscard]] bool may_reach(Slot i, Slot fixed, FixedTime now, double wait) const;
   void keep_bound(Slot i, double first, double others, Slot partner, FixedTime now);
   [[nodiscard]] bool make_exact(Slot i, FixedTime& now, FixedTime until);
   void queue(Slot i, FixedTime time);
@@ -212,7 +224,8 @@ class DomainLoop {
   double smallest_radius_ = 0;
   bool bends_;
   bool walls_;
-  bool contacts_last_;  ///< gravity presses balls together that may come to rest
+  bool contacts_last_;           ///< gravity presses balls together that may come to rest
+  bool falls_on_fixed_ = false;  ///< gravity acts, and some balls are fixed
   bool mixed_ = false;
   bool tracked_ = false;  ///< there may be a halo
   DomainWindow window_;
@@ -224,10 +237,10 @@ class DomainLoop {
   std::array<double, 2> farthest_{};  ///< that a flight may go
   std::array<double, 2> pull_{};      ///< half of what gravity pulls with, either way
   Approach approach_;
-  double bend_ = 0;                      ///< how far gravity bends a flight in the window
-  double bend_per_square_ = 0;           ///< the same by the square of the time
-  const BlockFlight* memory_ = nullptr;  ///< what is loaded from
-  const double* memory_spins_ = nullptr;
+  double bend_ = 0;             ///< how far gravity bends a flight in the window
+  double bend_per_square_ = 0;  ///< the same by the square of the time
+  double slack_ = 0;            ///< of Approach
+  Memory memory_;               ///< what is loaded from
   HugeVector<Loaded> loading_;
   HugeVector<BlockFlight> flights_;
   HugeVector<Path> paths_;
@@ -235,6 +248,7 @@ class DomainLoop {
   HugeVector<Track> tracks_;  ///< where there is a halo
   HugeVector<Index> memories_;
   std::vector<double> spins_;
+  std::vector<Index> lefts_;                         ///< where it falls on fixed balls
   std::vector<double> radii_;                        ///< where they differ
   std::vector<Slot> large_;                          ///< balls larger than normal
   std::vector<Slot> found_ = std::vector<Slot>(64);  ///< by `renew`

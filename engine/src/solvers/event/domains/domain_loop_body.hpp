@@ -69,6 +69,8 @@ template <class P>
   if (partner == kCarry) {
     motion_.carry(flights_[i], now);
   } else {
+    // What is left of its approach to a fixed ball may be rounding.
+    if (falls_on_fixed_ && flights_[i].start == now) unusual_ = true;
     const double lost = motion_.bounce(flights_[i], spin_of(i), partner, now);
     if (sides_[i].own) {
       ++tally_.walls;
@@ -76,6 +78,7 @@ template <class P>
     }
     if (contacts_last_ && rests_on_wall(i)) unusual_ = true;
   }
+  if (falls_on_fixed_) lefts_[i] = kUnknown;
   fly_on(i, now);
   predict(i, now);
 }
@@ -114,6 +117,10 @@ template <class P>
       motion_.strike(flights_[i], spin_of(i), flights_[j], spin_of(j), now);
   if (clusters && motion_.stay_together(flights_[i], flights_[j])) unusual_ = true;
   if (contacts_last_ && (rests_on_wall(i) || rests_on_wall(j))) unusual_ = true;
+  if (falls_on_fixed_) {
+    lefts_[i] = moves ? kUnknown : flights_[j].ball;
+    if (moves) lefts_[j] = kUnknown;
+  }
   const bool own_i = sides_[i].own;
   const bool own_j = moves ? bool{sides_[j].own} : own_i;
   if (own_i || own_j) {
@@ -136,9 +143,10 @@ template <class P>
 template <class P>
 std::size_t DomainLoop<P>::bytes() const {
   return loading_.capacity() * sizeof(Loaded) + flights_.capacity() * sizeof(BlockFlight) +
-         paths_.capacity() * sizeof(Path) + sides_.capacity() * sizeof(Side) +
-         tracks_.capacity() * sizeof(Track) + memories_.capacity() * sizeof(Index) +
-         lists_.bytes() + cells_.bytes() + search_.bytes() + queue_.bytes();
+         lefts_.capacity() * sizeof(Index) + paths_.capacity() * sizeof(Path) +
+         sides_.capacity() * sizeof(Side) + tracks_.capacity() * sizeof(Track) +
+         memories_.capacity() * sizeof(Index) + lists_.bytes() + cells_.bytes() + search_.bytes() +
+         queue_.bytes();
 }
 
 }  // namespace carom::event

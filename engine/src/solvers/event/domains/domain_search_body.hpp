@@ -67,6 +67,7 @@ template <class P>
   for (std::size_t k = 0; k < count; ++k) {
     if (near[k] != i) link(i, near[k]);
   }
+  if (falls_on_fixed_) note_fixed(i);
   predict(i, now);
 }
 
@@ -127,14 +128,14 @@ template <class P>
   }
   const double soonest = std::min(first, side.leaves);
   if (!(soonest < end_)) {
-    if (!side.alone()) return;
+    if (!side.exactly()) return;
     predict_exactly(i, now);
     return;
   }
   const FixedTime time =
       window_.from + static_cast<FixedTime>(soonest * motion_.rules().scale.per_second());
   const bool pair = first < side.leaves;
-  if (side.alone() || (pair && time <= now)) {
+  if (side.exactly() || (pair && time <= now)) {
     predict_exactly(i, now);
     return;
   }
@@ -215,7 +216,48 @@ template <class P>
       }
     }
   }
+  if (side.at_fixed) meet_fixed(i, now, soonest, best);
   settle(i, best, now);
+}
+
+template <class P>
+void DomainLoop<P>::note_fixed(Slot i) {
+  const Slot* const others = lists_.items(i);
+  sides_[i].at_fixed = !sides_[i].fixed && std::any_of(others, others + lists_.size(i),
+                                                       [this](Slot k) { return sides_[k].fixed; });
+}
+
+// What a ball that falls meets of the fixed ones near to it, where that comes first.
+template <class P>
+void DomainLoop<P>::meet_fixed(Slot i, FixedTime now, double soonest, Meeting<P>& best) {
+  const double since = seconds(now);
+  const Slot* const others = lists_.items(i);
+  for (std::uint32_t k = 0; k < lists_.size(i); ++k) {
+    const Slot j = others[k];
+    if (!sides_[j].fixed || !may_reach(i, j, now, soonest - since)) continue;
+    const FixedTime at =
+        motion_.pair_event(flights_[i], flights_[j], lefts_[i] == flights_[j].ball);
+    if (at <= now || (at == best.time && at != kNever)) unusual_ = true;
+    if (at < best.time) {
+      best = {at, j};
+      soonest = std::min(soonest, seconds(at));
+    }
+  }
+}
+
+// Within so many seconds, or little more.
+template <class P>
+bool DomainLoop<P>::may_reach(Slot i, Slot fixed, FixedTime now, double wait) const {
+  const Vec<double> at = place(i, now);
+  double x = paths_[fixed].x - at.x;
+  double y = paths_[fixed].y - at.y;
+  if (window_.wraps[0]) x -= periods_[0] * std::rint(x * per_period_[0]);
+  if (window_.wraps[1]) y -= periods_[1] * std::rint(y * per_period_[1]);
+  const Vec<double> v = velocity(i, now);
+  const double way =
+      (std::sqrt(v.x * v.x + v.y * v.y) + bend_per_square_ * wait) * wait * (1 + 0x1p-20);
+  const double reach = radius(i) + radius(fixed) + way + slack_;
+  return x * x + y * y < reach * reach * (1 + 0x1p-20);
 }
 
 // With what it meets alone, and the end of its circle.

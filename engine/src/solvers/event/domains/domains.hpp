@@ -59,8 +59,10 @@ class Domains {
   explicit Domains(const BasicRules<double>& rules);
 
   /// Takes these flights, the balls in their order; `now` is not before any of their starts.
-  /// `spins`: of the balls; empty: none.
-  void reset(const std::vector<Disk>& flights, FixedTime now, const std::vector<double>& spins);
+  /// `spins`: of the balls; empty: none.  `lefts`: the fixed ball at which each began, or kUnknown;
+  /// empty: none.
+  void reset(const std::vector<Disk>& flights, FixedTime now, const std::vector<double>& spins,
+             const std::vector<Index>& lefts = {});
   void set_workers(std::size_t workers);
   /// No window is longer, from the next `reset` on.
   void limit_windows(FixedTime longest) { wanted_longest_ = longest; }
@@ -81,6 +83,8 @@ class Domains {
   /// What `flight` reads, ahead.
   void fetch(std::size_t ball) const;
   [[nodiscard]] double spin(std::size_t ball) const;
+  /// The fixed ball at which its flight began; kUnknown: none.
+  [[nodiscard]] Index left(std::size_t ball) const;
   [[nodiscard]] const Motion<P>& motion() const { return *motion_; }
   [[nodiscard]] Counts counts() const;
   [[nodiscard]] Costs costs() const;
@@ -140,6 +144,7 @@ class Domains {
 
   // The phases: domains_body.hpp.
   [[nodiscard]] std::size_t begin_window();
+  [[nodiscard]] typename DomainLoop<P>::Memory memory_of_domains() const;
   void scatter(Share share);
   void solve_alone(Workspace& workspace);
   [[nodiscard]] std::size_t end_window();
@@ -176,6 +181,8 @@ class Domains {
   HugeVector<BlockFlight> next_;     ///< at its end, in the same order
   std::vector<double> spins_;
   std::vector<double> next_spins_;
+  std::vector<Index> lefts_;  ///< as of DomainLoop; empty where it does not matter
+  std::vector<Index> next_lefts_;
   std::vector<Outcome> outcomes_;
   BlockSort<P> sort_;
   mutable std::vector<Index> memory_;  ///< where each ball is; empty: not looked for yet

@@ -42,11 +42,14 @@ std::size_t Domains<P>::begin_window() {
   sort_.make_room(alone() ? 0 : next_.size());
   flights_.resize(next_.size());
   spins_.resize(next_spins_.size());
+  lefts_.resize(next_lefts_.size());
   if (alone()) {
     flights_.swap(next_);
     spins_.swap(next_spins_);
+    lefts_.swap(next_lefts_);
     next_.resize(flights_.size());
     next_spins_.resize(spins_.size());
+    next_lefts_.resize(lefts_.size());
     return kSolve;
   }
   counted_ = false;
@@ -122,6 +125,12 @@ std::size_t Domains<P>::end_window() {
 }
 
 template <class P>
+auto Domains<P>::memory_of_domains() const -> typename DomainLoop<P>::Memory {
+  return {flights_.data(), spins_.empty() ? nullptr : spins_.data(),
+          lefts_.empty() ? nullptr : lefts_.data()};
+}
+
+template <class P>
 void Domains<P>::solve_alone(Workspace& workspace) {
   Region& region = regions_[0];
   if (!workspace.domain)
@@ -129,7 +138,7 @@ void Domains<P>::solve_alone(Workspace& workspace) {
   DomainLoop<P>& domain = *workspace.domain;
   if (!open_) {
     DomainWindow window = window_of(region);
-    domain.begin(window, flights_.data(), spins_.empty() ? nullptr : spins_.data());
+    domain.begin(window, memory_of_domains());
     for (std::size_t k = 0; k < flights_.size(); ++k) domain.load(static_cast<Index>(k), true);
     region.unusual = !domain.start();
     open_ = !region.unusual;
@@ -166,6 +175,7 @@ void Domains<P>::scatter(Share share) {
   sort_.scatter(next_.size(), share, [this](std::size_t k, Index at) {
     flights_[at] = next_[k];
     if (!spins_.empty()) spins_[at] = next_spins_[k];
+    if (!lefts_.empty()) lefts_[at] = next_lefts_[k];
   });
 }
 
@@ -175,9 +185,21 @@ void Domains<P>::solve_by_one_loop() {
   const std::size_t n = flights_.size();
   std::vector<Disk> disks(n);
   for (std::size_t k = 0; k < n; ++k) disks[k] = flights_[k].disk();
+  std::vector<Index> lefts(lefts_.size(), kUnknown);
+  if (!lefts_.empty()) {
+    std::vector<Index> at(n);
+    for (std::size_t k = 0; k < n; ++k) at[flights_[k].ball] = static_cast<Index>(k);
+    for (std::size_t k = 0; k < n; ++k) {
+      if (lefts_[k] != kUnknown) lefts[k] = at[lefts_[k]];
+    }
+  }
   EventLoop<P> loop(motion_, n);
-  loop.reset(disks, from_, {}, spins_);
+  loop.reset(disks, from_, lefts, spins_);
   loop.advance_to(until_);
+  for (std::size_t k = 0; k < lefts.size(); ++k) {
+    const Index left = loop.left(static_cast<Index>(k));
+    next_lefts_[k] = left == kUnknown ? kUnknown : flights_[left].ball;
+  }
   for (std::size_t k = 0; k < n; ++k) {
     next_[k] = BlockFlight::of(loop.disks()[k], flights_[k].ball);
   }

@@ -59,7 +59,7 @@ void Domains<P>::solve(Region& region, Workspace& workspace) {
     workspace.domain = std::make_unique<DomainLoop<P>>(*motion_, normal_radius_);
   DomainLoop<P>& domain = *workspace.domain;
   const DomainWindow window = window_of(region);
-  domain.begin(window, flights_.data(), spins_.empty() ? nullptr : spins_.data());
+  domain.begin(window, memory_of_domains());
   load_halo(region, domain);
   region.unusual = !domain.start() || !domain.advance_to(until_);
   workspace.beside_pairs += domain.tally().costs;
@@ -129,6 +129,7 @@ void Domains<P>::keep(Region& region, DomainLoop<P>& domain) {
       const BlockFlight& flight = domain.flight(k);
       next_[memory] = flight;
       if (!spins_.empty()) next_spins_[memory] = *domain.spin(k);
+      if (!lefts_.empty()) next_lefts_[memory] = domain.left(k);
       if (alone()) continue;
       const Vec<double> at = domain.last_place(k);
       const std::array<double, 2>& middle = domain.window().middle;

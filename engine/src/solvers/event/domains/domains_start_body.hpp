@@ -24,7 +24,7 @@ Domains<P>::Domains(const BasicRules<double>& rules)
 
 template <class P>
 void Domains<P>::reset(const std::vector<Disk>& flights, FixedTime now,
-                       const std::vector<double>& spins) {
+                       const std::vector<double>& spins, const std::vector<Index>& lefts) {
   const std::size_t n = flights.size();
   next_.resize(n);
   movers_ = 0;
@@ -37,6 +37,11 @@ void Domains<P>::reset(const std::vector<Disk>& flights, FixedTime now,
     }
   }
   next_spins_ = spins;
+  next_lefts_.clear();
+  if (motion_->bends() && movers_ < n) {
+    next_lefts_ = lefts;
+    next_lefts_.resize(n, kUnknown);
+  }
   memory_.clear();
   from_ = now_ = until_ = target_ = now;
   const carom::Domain& box = motion_->rules().domain;

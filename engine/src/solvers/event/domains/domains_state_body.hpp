@@ -41,6 +41,14 @@ double Domains<P>::spin(std::size_t ball) const {
 }
 
 template <class P>
+Index Domains<P>::left(std::size_t ball) const {
+  if (next_lefts_.empty()) return kUnknown;
+  number_balls();
+  const Index k = memory_[ball];
+  return open_ ? workspaces_[0].domain->left(k) : next_lefts_[k];
+}
+
+template <class P>
 Counts Domains<P>::counts() const {
   Counts counts = counts_;
   std::uint64_t halves = halves_;
@@ -81,10 +89,11 @@ Costs Domains<P>::costs() const {
 
 template <class P>
 std::size_t Domains<P>::bytes() const {
-  std::size_t bytes = (flights_.capacity() + next_.capacity()) * sizeof(BlockFlight) +
-                      (spins_.capacity() + next_spins_.capacity()) * sizeof(double) +
-                      outcomes_.capacity() * sizeof(Outcome) + sort_.bytes() +
-                      memory_.capacity() * sizeof(Index);
+  std::size_t bytes =
+      (flights_.capacity() + next_.capacity()) * sizeof(BlockFlight) +
+      (spins_.capacity() + next_spins_.capacity()) * sizeof(double) +
+      outcomes_.capacity() * sizeof(Outcome) + sort_.bytes() +
+      (lefts_.capacity() + next_lefts_.capacity() + memory_.capacity()) * sizeof(Index);
   for (const Region& region : regions_) bytes += region.ghosts.capacity() * sizeof(Ghost);
   for (const Workspace& workspace : workspaces_) {
     if (workspace.domain) bytes += workspace.domain->bytes();
