@@ -98,16 +98,26 @@ TEST(ConeDescent, WhatPartsIsNotPulledBack) {
   EXPECT_EQ(tower.loads(response, impulses), (std::vector<double>{0, 0}));
 }
 
-TEST(ConeInterior, FindsTheSameLoads) {
+void expect_loads(const Tower& tower, int height, double heavier, bool again) {
+  const ConeResponse response(tower.bodies, tower.contacts);
+  ConeResponse::Column parting = tower.parting(response);
+  for (double& speed : parting) speed *= heavier;
+  ConeResponse::Column impulses(response.edges(), 0);
+  ASSERT_TRUE(solve_by_interior_point(response, tower.contacts, parting, 1e-10, again, impulses));
+  const std::vector<double> loads = tower.loads(response, impulses);
+  for (int k = 0; k < height; ++k) {
+    EXPECT_NEAR(loads[static_cast<std::size_t>(k)], heavier * (height - k), 1e-5) << k;
+  }
+}
+
+// Many rows take another way than few.
+TEST(ConeInterior, FindsTheSameLoadsAndThoseOfOtherSpeedsAfterThem) {
   for (const double friction : {0.0, 0.5}) {
-    const Tower tower(40, friction);
-    const ConeResponse response(tower.bodies, tower.contacts);
-    ConeResponse::Column impulses(response.edges(), 0);
-    ASSERT_TRUE(solve_by_interior_point(response, tower.contacts, tower.parting(response), 1e-10,
-                                        impulses));
-    const std::vector<double> loads = tower.loads(response, impulses);
-    for (std::size_t k = 0; k < loads.size(); ++k) {
-      EXPECT_NEAR(loads[k], 40 - static_cast<double>(k), 1e-5) << k << ", friction " << friction;
+    for (const int height : {40, 150}) {
+      const Tower tower(height, friction);
+      expect_loads(tower, height, 1, false);
+      expect_loads(tower, height, 1.25, true);
+      expect_loads(tower, height, 0, true);
     }
   }
 }

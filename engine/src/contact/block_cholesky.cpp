@@ -46,7 +46,7 @@ void BlockCholesky<D>::analyse(const ContactProblem<D>& problem) {
   pattern_.analyse(problem.bodies(), joined_);
   const std::size_t n = pattern_.bodies();
   factor_.resize(pattern_.rows().size());
-  inverse_.resize(n);
+  pivots_.resize(n);
   work_.resize(n);
   parts_.resize(n);
   head_.resize(n);
@@ -54,16 +54,17 @@ void BlockCholesky<D>::analyse(const ContactProblem<D>& problem) {
   cursor_.resize(n);
 }
 
-// The same right factor for many products: target -= left right', a column of the target at a time,
-// of 2 x 2 blocks both at once.
+// The same right factor for many products: target -= left P^-1 right', a column of the target at a
+// time, of 2 x 2 blocks both at once.
 template <int D>
 class BlockCholesky<D>::Multiplier {
  public:
-  explicit Multiplier(const Block& right) {
+  Multiplier(const Block& right, const Pivots& pivots) {
     for (int k = 0; k < D; ++k) {
       for (int column = 0; column < D; ++column) {
         for (int lane = 0; lane < kLanes; ++lane) {
-          factors_[index((k * D + column) * kLanes + lane)] = right.at(column, k);
+          factors_[index((k * D + column) * kLanes + lane)] =
+              right.at(column, k) * pivots.inverse[index(k)];
         }
       }
     }
@@ -94,44 +95,34 @@ class BlockCholesky<D>::Multiplier {
   alignas(32) std::array<double, std::size_t{D} * D * kLanes> factors_{};
 };
 
-// How a row pushes a body, as a column: target += weight this other'.
+// What the rows of one contact add to the matrix: the sum of weight j j', a column each.  As the
+// first body feels it x and y are turned round.
 template <int D>
-class BlockCholesky<D>::Edge {
+class BlockCholesky<D>::Stiffness {
  public:
-  using Lanes = decltype(Column<D>::lanes);
-  /// A block in registers, a column each.
-  struct Target {
-    Lanes column[D];
-
-    static Target of(const Block& block) {
-      Target target;
-      for (int c = 0; c < D; ++c) {
-        target.column[c] = Column<D>::of(block.v.data() + c * kLanes).lanes;
-      }
-      return target;
-    }
-    void put(Block& block) const {
-      for (int c = 0; c < D; ++c) Column<D>{column[c]}.put(block.v.data() + c * kLanes);
-    }
-  };
-
-  Edge(const double (&j)[D], double side) {
-    for (int c = 0; c < D; ++c) parts_[c] = c < 2 ? side * j[c] : j[c];
-    if constexpr (D == 2) {
-      lanes_ = Lanes{parts_[0], parts_[1]};
-    } else {
-      lanes_ = Lanes{parts_[0], parts_[1], parts_[2], 0};
-    }
+  void add(const Row<D>& row, double weight) {
+    Lanes j{row.j[0], row.j[1]};
+    if constexpr (D == 3) j[2] = row.j[2];
+    const Lanes weighted = weight * j;
+    for (int c = 0; c < D; ++c) column_[c] += weighted * row.j[c];
   }
-
-  void add(double weight, const Edge& other, Target& target) const {
-    const Lanes weighted = weight * lanes_;
-    for (int c = 0; c < D; ++c) target.column[c] += weighted * other.parts_[c];
+  /// Which bodies the rows and columns of the block are of.
+  void add_to(Block& block, bool rows_of_first, bool columns_of_first) const {
+    const double by_row = rows_of_first ? -1 : 1;
+    const double by_column = columns_of_first ? -1 : 1;
+    Lanes sign{by_row, by_row};
+    if constexpr (D == 3) sign[2] = 1;
+    for (int c = 0; c < D; ++c) {
+      double* const at = block.v.data() + c * kLanes;
+      auto column = Column<D>::of(at);
+      column.lanes += (c < 2 ? by_column : 1) * (sign * column_[c]);
+      column.put(at);
+    }
   }
 
  private:
-  Lanes lanes_;
-  double parts_[D];
+  using Lanes = decltype(Column<D>::lanes);
+  Lanes column_[D]{};
 };
 
 template <int D>
@@ -146,27 +137,18 @@ void BlockCholesky<D>::factor(const ContactProblem<D>& problem,
   }
   // The rows of one contact follow each other.
   for (std::size_t k = 0; k < problem.rows.size();) {
+    const std::size_t contact = k;
     const int a = problem.rows[k].a;
     const int b = problem.rows[k].b;
-    const bool a_is_later = b >= 0 && pattern_.place(a) > pattern_.place(b);
-    Block& at_a = factor_[index(columns[pattern_.place(a)])];
-    Block& at_b = b < 0 ? at_a : factor_[index(columns[pattern_.place(b)])];
-    Block& between = b < 0 ? at_a : factor_[index(pattern_.between(k))];
-    auto sum_a = Edge::Target::of(at_a);
-    auto sum_b = Edge::Target::of(at_b);
-    auto sum_between = Edge::Target::of(between);
+    Stiffness stiffness;
     for (; k < problem.rows.size() && problem.rows[k].a == a && problem.rows[k].b == b; ++k) {
-      const Edge of_a(problem.rows[k].j, -1);
-      const Edge of_b(problem.rows[k].j, 1);
-      of_a.add(weights[k], of_a, sum_a);
-      of_b.add(weights[k], of_b, sum_b);
-      (a_is_later ? of_a : of_b).add(weights[k], a_is_later ? of_b : of_a, sum_between);
+      stiffness.add(problem.rows[k], weights[k]);
     }
-    if (b >= 0) {
-      sum_b.put(at_b);
-      sum_between.put(between);
-    }
-    sum_a.put(at_a);
+    stiffness.add_to(factor_[index(columns[pattern_.place(a)])], true, true);
+    if (b < 0) continue;
+    stiffness.add_to(factor_[index(columns[pattern_.place(b)])], false, false);
+    const bool a_is_later = pattern_.place(a) > pattern_.place(b);
+    stiffness.add_to(factor_[index(pattern_.between(contact))], a_is_later, !a_is_later);
   }
   std::fill(head_.begin(), head_.end(), -1);
   // Stores of numbers leave these as they are, which a compiler cannot know of members.
@@ -181,7 +163,7 @@ void BlockCholesky<D>::factor(const ContactProblem<D>& problem,
       const int following = next_[index(k)];
       int q = cursor_[index(k)];
       const int last = columns[k + 1];
-      const Multiplier right(blocks[q]);
+      const Multiplier right(blocks[q], pivots_[index(k)]);
       for (int r = q; r < last; ++r) right.subtract(work[rows[r]], blocks[r]);
       cursor_[index(k)] = ++q;
       if (q < last) {
@@ -192,12 +174,16 @@ void BlockCholesky<D>::factor(const ContactProblem<D>& problem,
       k = following;
     }
     factor_diagonal(j);
-    const Multiplier inverse(inverse_[j]);
+    const auto& solved = pivots_[j].solved;
     for (int q = begin + 1; q < end; ++q) {
-      Block x{};
-      inverse.subtract(x, work[rows[q]]);
-      for (double& value : x.v) value = -value;
-      blocks[q] = x;
+      const double* const w = work[rows[q]].v.data();
+      for (int c = 0; c < D; ++c) {
+        auto column = Column<D>::of(w + c * kLanes);
+        for (int m = 0; m < c; ++m) {
+          column.lanes += Column<D>::of(w + m * kLanes).lanes * solved[index(c)][index(m)];
+        }
+        column.put(blocks[q].v.data() + c * kLanes);
+      }
     }
     if (begin + 1 < end) {
       cursor_[j] = begin + 1;
@@ -212,29 +198,28 @@ template <int D>
 void BlockCholesky<D>::factor_diagonal(std::size_t j) {
   constexpr double kLeastPivot = 1e-15;
   const Block& w = work_[j];
-  Block c{};
-  Block u{};
+  Pivots& pivots = pivots_[j];
+  double l[D][D]{};
+  double times_pivot[D][D]{};
   for (int a = 0; a < D; ++a) {
-    double s = w.at(a, a);
-    for (int m = 0; m < a; ++m) s -= c.at(a, m) * c.at(a, m);
-    const double pivot = std::sqrt(std::max(s, kLeastPivot * std::abs(w.at(a, a))));
-    c.at(a, a) = pivot;
-    u.at(a, a) = 1 / pivot;
-    for (int i = a + 1; i < D; ++i) {
+    for (int i = a; i < D; ++i) {
       double t = w.at(i, a);
-      for (int m = 0; m < a; ++m) t -= c.at(i, m) * c.at(a, m);
-      c.at(i, a) = t * u.at(a, a);
+      for (int m = 0; m < a; ++m) t -= l[i][m] * times_pivot[a][m];
+      if (i == a) {
+        pivots.inverse[index(a)] = 1 / std::max(t, kLeastPivot * std::abs(w.at(a, a)));
+      } else {
+        times_pivot[i][a] = t;
+        l[i][a] = t * pivots.inverse[index(a)];
+      }
     }
   }
   for (int a = 0; a < D; ++a) {
     for (int i = a + 1; i < D; ++i) {
-      double t = 0;
-      for (int m = a; m < i; ++m) t -= c.at(i, m) * u.at(m, a);
-      u.at(i, a) = t * u.at(i, i);
+      double t = -l[i][a];
+      for (int m = a + 1; m < i; ++m) t -= l[i][m] * pivots.solved[index(m)][index(a)];
+      pivots.solved[index(i)][index(a)] = t;
     }
   }
-  factor_[index(pattern_.columns()[j])] = c;
-  inverse_[j] = u;
 }
 
 template <int D>
@@ -249,13 +234,16 @@ void BlockCholesky<D>::solve(std::vector<double>& x) {
   const Block* const blocks = factor_.data();
   Part* const parts = parts_.data();
   for (std::size_t j = 0; j < n; ++j) {
-    Part y{};
-    for (int c = 0; c < D; ++c) {
-      for (int e = c; e < D; ++e) y.v[index(e)] += inverse_[j].at(e, c) * parts_[j].v[index(c)];
+    const Pivots& pivots = pivots_[j];
+    Part& y = parts[j];
+    for (int e = D - 1; e > 0; --e) {
+      for (int c = 0; c < e; ++c)
+        y.v[index(e)] += pivots.solved[index(e)][index(c)] * y.v[index(c)];
     }
-    parts_[j] = y;
     Column<D> factors[D];
-    for (int c = 0; c < D; ++c) factors[c].lanes = factors[c].lanes + y.v[index(c)];
+    for (int c = 0; c < D; ++c) {
+      factors[c].lanes = factors[c].lanes + y.v[index(c)] * pivots.inverse[index(c)];
+    }
     for (int q = columns[j] + 1, end = columns[j + 1]; q < end; ++q) {
       const double* block = blocks[q].v.data();
       double* target = parts[rows[q]].v.data();
@@ -274,15 +262,18 @@ void BlockCholesky<D>::solve(std::vector<double>& x) {
         sums[c].lanes += Column<D>::of(block + c * kLanes).lanes * source.lanes;
       }
     }
-    Part y = parts_[j];
+    const Pivots& pivots = pivots_[j];
+    Part& y = parts[j];
     for (int c = 0; c < D; ++c) {
-      for (int e = 0; e < D; ++e) y.v[index(c)] -= sums[c].lanes[e];
+      double sum = sums[c].lanes[0];
+      for (int e = 1; e < D; ++e) sum += sums[c].lanes[e];
+      y.v[index(c)] = (y.v[index(c)] - sum) * pivots.inverse[index(c)];
     }
-    Part out{};
     for (int c = 0; c < D; ++c) {
-      for (int e = c; e < D; ++e) out.v[index(c)] += inverse_[j].at(e, c) * y.v[index(e)];
+      for (int e = c + 1; e < D; ++e) {
+        y.v[index(c)] += pivots.solved[index(e)][index(c)] * y.v[index(e)];
+      }
     }
-    parts_[j] = out;
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (int c = 0; c < D; ++c)

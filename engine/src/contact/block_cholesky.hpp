@@ -10,7 +10,7 @@
 namespace carom::contact {
 
 /// The factors of M + J' W J, one D x D block a body: the matrix of a contact problem in the space
-/// of its bodies, W a weight for each row.
+/// of its bodies, W a weight for each row.  They are L P L', P diagonal: no square roots.
 ///
 /// The pattern of the factor is worked out from the rows once, and serves for any weights.
 /// REQUIRES: analyse() before factor(), factor() before solve().
@@ -35,8 +35,13 @@ class BlockCholesky {
   struct alignas(16) Part {
     std::array<double, kLanes> v{};
   };
+  /// The diagonal block of a column.
+  struct Pivots {
+    std::array<double, D> inverse{};                // of those of P
+    std::array<std::array<double, D>, D> solved{};  // below the diagonal: the inverse of L's
+  };
   class Multiplier;
-  class Edge;
+  class Stiffness;
 
   void factor_diagonal(std::size_t j);
 
@@ -46,7 +51,7 @@ class BlockCholesky {
   std::vector<int> next_;
   std::vector<int> cursor_;
   std::vector<Block> factor_;
-  std::vector<Block> inverse_;  // of the diagonal factors
+  std::vector<Pivots> pivots_;
   std::vector<Block> work_;
   std::vector<Part> parts_;
 };

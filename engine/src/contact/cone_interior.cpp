@@ -10,7 +10,8 @@ namespace {
 
 template <int D>
 bool solve(const ConeResponse& response, const std::vector<ConeContact>& contacts,
-           const ConeResponse::Column& parting, double goal, ConeResponse::Column& result) {
+           const ConeResponse::Column& parting, double goal, bool again,
+           ConeResponse::Column& result) {
   const ConeResponse::Column& inverse_mass = response.inverse_mass();
   double largest_inverse = 0;
   for (const double inverse : inverse_mass) largest_inverse = std::max(largest_inverse, inverse);
@@ -38,10 +39,12 @@ bool solve(const ConeResponse& response, const std::vector<ConeContact>& contact
     }
   }
   problem.weigh();
-  std::vector<double> impulses;
-  // Kept for its memory; nothing of one problem shows in the next.
+  // Kept for their memory; nothing of one problem shows in the next, but where it is solved again.
   thread_local contact::InteriorPoint<D> solver;
-  if (!solver.solve(problem, goal, impulses).solved) return false;
+  thread_local std::vector<double> impulses;
+  thread_local std::vector<double> last;
+  last.swap(impulses);
+  if (!solver.solve(problem, goal, impulses, again ? &last : nullptr).solved) return false;
   std::fill(result.begin(), result.end(), 0);
   std::size_t row = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -55,10 +58,10 @@ bool solve(const ConeResponse& response, const std::vector<ConeContact>& contact
 }  // namespace
 
 bool solve_by_interior_point(const ConeResponse& response, const std::vector<ConeContact>& contacts,
-                             const ConeResponse::Column& parting, double goal,
+                             const ConeResponse::Column& parting, double goal, bool again,
                              ConeResponse::Column& impulses) {
-  return response.has_friction() ? solve<3>(response, contacts, parting, goal, impulses)
-                                 : solve<2>(response, contacts, parting, goal, impulses);
+  return response.has_friction() ? solve<3>(response, contacts, parting, goal, again, impulses)
+                                 : solve<2>(response, contacts, parting, goal, again, impulses);
 }
 
 }  // namespace carom::event

@@ -21,9 +21,9 @@ ConeIsland::ConeIsland(const Bodies& bodies, const Contacts& contacts)
   }
 }
 
-void ConeIsland::solve(double goal) {
+void ConeIsland::solve(double goal, bool again) {
   if (contacts_.size() > kFewContacts &&
-      solve_by_interior_point(response_, contacts_, parting_, goal / 2, impulses_)) {
+      solve_by_interior_point(response_, contacts_, parting_, goal / 2, again, impulses_)) {
     return;
   }
   descent_.solve(parting_, impulses_, goal);
@@ -56,7 +56,7 @@ void ConeIsland::close_slides(double goal, double opens) {
       parting_[size + k] += more;
     }
     if (!(most > opens)) return;
-    solve(goal);
+    solve(goal, true);
   }
 }
 
@@ -76,7 +76,7 @@ std::vector<double> ConeIsland::resolve(Bodies& motion, double rate, double goal
       parting_[at] += response_.scale(k) * room;
   }
   std::fill(impulses_.begin(), impulses_.end(), 0);
-  solve(goal);
+  solve(goal, false);
   if (opens > 0 && response_.has_friction()) close_slides(goal, opens);
   response_.pass_on(impulses_.data());
   for (std::size_t k = 0; k < motion.size(); ++k) {

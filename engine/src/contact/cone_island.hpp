@@ -42,7 +42,8 @@ class ConeIsland {
  private:
   using Column = ConeResponse::Column;
 
-  void solve(double goal);
+  /// `again`: after the same with other speeds.
+  void solve(double goal, bool again);
   void close_slides(double goal, double opens);
 
   const Contacts& contacts_;

@@ -17,23 +17,31 @@ void ContactProblem<D>::weigh() {
   }
 }
 
+// Of the rows of one contact, which follow each other, the impulses are added up before they are
+// given to its bodies.
 template <int D>
 void ContactProblem<D>::spread(const std::vector<double>& impulses, std::vector<double>& motion,
                                bool by_mass) const {
   motion.assign(inverse_mass.size(), 0.0);
   double* const moved = motion.data();
   const double* next = impulses.data();
-  for (const Row<D>& row : rows) {
-    const double f = *next++;
-    if (f == 0) continue;
-    double* a = moved + row.a * D;
-    for (int c = 0; c < D; ++c) a[c] += f * row.of_a(c);
-    if (row.b < 0) continue;
-    double* b = moved + row.b * D;
-    for (int c = 0; c < D; ++c) b[c] += f * row.j[c];
+  const Row<D>* row = rows.data();
+  for (const Row<D>* const end = row + rows.size(); row != end;) {
+    const int first = row->a;
+    const int second = row->b;
+    double push[D]{};
+    do {
+      const double f = *next++;
+      for (int c = 0; c < D; ++c) push[c] += f * row->j[c];
+    } while (++row != end && row->a == first && row->b == second);
+    double* a = moved + first * D;
+    for (int c = 0; c < D; ++c) a[c] += c < 2 ? -push[c] : push[c];
+    if (second < 0) continue;
+    double* b = moved + second * D;
+    for (int c = 0; c < D; ++c) b[c] += push[c];
   }
   if (!by_mass) return;
-  for (std::size_t i = 0; i < motion.size(); ++i) motion[i] *= inverse_mass[i];
+  for (std::size_t i = 0; i < motion.size(); ++i) moved[i] *= inverse_mass[i];
 }
 
 template <int D>
@@ -42,15 +50,22 @@ void ContactProblem<D>::gather(const std::vector<double>& motion,
   opening.resize(rows.size());
   const double* const moved = motion.data();
   double* next = opening.data();
-  for (const Row<D>& row : rows) {
-    const double* a = moved + row.a * D;
-    double sum = 0;
-    for (int c = 0; c < D; ++c) sum += row.of_a(c) * a[c];
-    if (row.b >= 0) {
-      const double* b = moved + row.b * D;
-      for (int c = 0; c < D; ++c) sum += row.j[c] * b[c];
+  const Row<D>* row = rows.data();
+  for (const Row<D>* const end = row + rows.size(); row != end;) {
+    const int first = row->a;
+    const int second = row->b;
+    const double* a = moved + first * D;
+    double apart[D];
+    for (int c = 0; c < D; ++c) apart[c] = c < 2 ? -a[c] : a[c];
+    if (second >= 0) {
+      const double* b = moved + second * D;
+      for (int c = 0; c < D; ++c) apart[c] += b[c];
     }
-    *next++ = sum;
+    do {
+      double sum = 0;
+      for (int c = 0; c < D; ++c) sum += row->j[c] * apart[c];
+      *next++ = sum;
+    } while (++row != end && row->a == first && row->b == second);
   }
 }
 
