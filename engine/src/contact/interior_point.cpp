@@ -11,11 +11,12 @@ namespace {
 constexpr int kCorrections = 2;
 constexpr int kIterations = 45;
 constexpr int kMoreIterations = 150;
-constexpr double kCompliance = 1e-13;  // keeps the pivots positive
-constexpr double kAlmost = 0.995;      // of the way to the border
-constexpr double kDiffers = 4;         // times the mean by which a problem differs from the last
-constexpr double kPressed = 0x1p12;    // a gap that closes slower than this many goals
-constexpr std::size_t kFew = 256;      // rows; of more, guesses fail too often
+constexpr double kCompliance = 1e-13;     // keeps the pivots positive
+constexpr double kAlmost = 0.995;         // of the way to the border
+constexpr double kDiffers = 4;            // times the mean by which a problem differs from the last
+constexpr double kClosesSlowly = 0x1p12;  // a gap that closes slower than this many goals
+constexpr int kUnknown = 2;               // iterations that tell nothing of the motion
+constexpr std::size_t kFew = 256;         // rows; of more, guesses fail too often
 
 }  // namespace
 
@@ -43,11 +44,23 @@ bool InteriorPoint<D>::start_on_the_way(const ContactProblem<D>& problem) {
   if (last == 0) return false;
   x_ = way_[last - 1].x;
   y_ = way_[last - 1].y;
-  for (std::size_t k = 0; k < m; ++k) {
-    y_[k] = std::max(y_[k] + problem.rows[k].q - way_q_[k], y_[k] / 4);
-  }
+  follow_speeds(problem);
   problem.spread(x_, motion_, true);
   return true;
+}
+
+template <int D>
+void InteriorPoint<D>::note_speeds(const ContactProblem<D>& problem) {
+  way_q_.resize(problem.rows.size());
+  for (std::size_t k = 0; k < way_q_.size(); ++k) way_q_[k] = problem.rows[k].q;
+}
+
+// So that no more is missed than before.
+template <int D>
+void InteriorPoint<D>::follow_speeds(const ContactProblem<D>& problem) {
+  for (std::size_t k = 0; k < y_.size(); ++k) {
+    y_[k] = std::max(y_[k] + problem.rows[k].q - way_q_[k], y_[k] / 4);
+  }
 }
 
 template <int D>
@@ -87,11 +100,17 @@ double InteriorPoint<D>::longest(const Column& dx, const Column& dy, double part
 }
 
 template <int D>
-int InteriorPoint<D>::iterate(const ContactProblem<D>& problem, double goal, int most) {
+int InteriorPoint<D>::iterate(const ContactProblem<D>& problem, double goal, int most,
+                              const Revision& revise) {
   const std::size_t m = x_.size();
   const auto count = static_cast<double>(m);
   for (int iteration = 0; iteration < most; ++iteration) {
     problem.gather(motion_, opening_);
+    if (revise && iteration >= kUnknown) {
+      note_speeds(problem);
+      revise(motion_, way_[way_length_ - 1].miss);
+      follow_speeds(problem);
+    }
     double mean = 0;
     double gap = 0;
     double worst = 0;
@@ -170,11 +189,13 @@ template <int D>
 typename InteriorPoint<D>::Outcome InteriorPoint<D>::solve(const ContactProblem<D>& problem,
                                                            double goal,
                                                            std::vector<double>& impulses,
-                                                           const std::vector<double>* like) {
+                                                           const std::vector<double>* like,
+                                                           const Revision& revise) {
   const std::size_t m = problem.rows.size();
   std::vector<char> first(m);
   for (std::size_t k = 0; k < m; ++k) {
-    const bool carries = like != nullptr ? (*like)[k] > 0 : problem.rows[k].q < kPressed * goal;
+    const bool carries =
+        like != nullptr ? (*like)[k] > 0 : problem.rows[k].q < kClosesSlowly * goal;
     first[k] = carries ? 1 : 0;
   }
   impulses.assign(m, 0.0);
@@ -196,7 +217,8 @@ typename InteriorPoint<D>::Outcome InteriorPoint<D>::solve(const ContactProblem<
     const bool on_the_way = larger == 1 && resumes && start_on_the_way(problem);
     if (!on_the_way) start(problem, larger, 0.1 * fastest);
     way_length_ = 0;
-    best.factorisations += iterate(problem, goal, larger == 1 ? kIterations : kMoreIterations);
+    const int most = larger == 1 ? kIterations : kMoreIterations;
+    best.factorisations += iterate(problem, goal, most, revise);
     bool finite = true;
     for (std::size_t k = 0; k < m; ++k) {
       finite = finite && std::isfinite(x_[k]);
@@ -210,8 +232,7 @@ typename InteriorPoint<D>::Outcome InteriorPoint<D>::solve(const ContactProblem<
     best.solved = best.residual < 2 * goal;
     if (best.solved) break;
   }
-  way_q_.resize(m);
-  for (std::size_t k = 0; k < m; ++k) way_q_[k] = problem.rows[k].q;
+  note_speeds(problem);
   return best;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "contact/active_set.hpp"
@@ -17,8 +17,8 @@ namespace carom::contact {
 /// the next) is tried again with larger impulses.  Where rows are few an active set comes first:
 /// which of many rows carry an impulse can mostly not be guessed.
 ///
-/// Holds: the answer is a function of the problem alone, or, with `like`, of that and the problem
-/// solved before.
+/// Holds: the answer is a function of the problem alone, and of how it is revised, or, with `like`,
+/// of that and the problem solved before.
 /// Source: Mehrotra, SIAM J. Optim. 2 (1992) 575; Gondzio, Comput. Optim. Appl. 6 (1996) 137.
 template <int D>
 class InteriorPoint {
@@ -29,10 +29,15 @@ class InteriorPoint {
     int factorisations = 0;
   };
 
+  /// Changes the speeds `q` of the problem on the way to its answer, by what the impulses there do
+  /// to the bodies, and the speed by which they miss the conditions.
+  using Revision = std::function<void(const std::vector<double>& motion, double miss)>;
+
   /// The least impulses >= 0 after which no row closes faster than `goal`, a speed.  `like`: those
-  /// of the problem solved just before, if it has the same rows and differs little.
+  /// of the problem solved just before, if it has the same rows and differs little.  `revise`: not
+  /// asked where a guess does.
   Outcome solve(const ContactProblem<D>& problem, double goal, std::vector<double>& impulses,
-                const std::vector<double>* like = nullptr);
+                const std::vector<double>* like = nullptr, const Revision& revise = {});
 
  private:
   using Column = std::vector<double>;
@@ -46,8 +51,11 @@ class InteriorPoint {
   /// Starts from where the way to the last answer missed its conditions by as much as `problem`
   /// differs from that one; whether there is such a place.
   bool start_on_the_way(const ContactProblem<D>& problem);
+  /// Notes the speeds `q` of the rows, or lets the opening speeds follow what they have changed by.
+  void note_speeds(const ContactProblem<D>& problem);
+  void follow_speeds(const ContactProblem<D>& problem);
   void start(const ContactProblem<D>& problem, double impulse, double speed);
-  int iterate(const ContactProblem<D>& problem, double goal, int most);
+  int iterate(const ContactProblem<D>& problem, double goal, int most, const Revision& revise);
   void direction(const ContactProblem<D>& problem, Column& dx, Column& dy);
   [[nodiscard]] double longest(const Column& dx, const Column& dy, double part) const;
 

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <utility>
 
 #include "contact/island_contact.hpp"
 #include "contact/island_energy.hpp"
 #include "contact/island_friction.hpp"
 #include "contact/island_single.hpp"
+#include "contact/island_slips.hpp"
 
 namespace carom::contact {
 namespace {
@@ -19,6 +22,7 @@ constexpr double kTolerated = 0x1p-4;  // an overlap that stays where there is f
 constexpr double kSlip = 0x1p-5;
 constexpr double kSlipChange = 0x1p-4;  // how exactly a slip is known
 constexpr int kSlipRounds = 2;
+constexpr std::size_t kMany = 128;  // contacts: of more slips are revised, which must not jump
 constexpr int kBounceRounds = 4;
 
 template <int D>
@@ -71,12 +75,23 @@ void IslandStep::pose(Work<D>& work, const Island& island, const std::vector<cha
 
 template <int D>
 bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<char>& bounced,
-                       const std::vector<double>& slip, IslandOutcome& outcome) {
+                       bool revises, std::vector<double>& slip, IslandOutcome& outcome) {
   pose(work, island, bounced, slip);
   const std::vector<double> last = work.impulses;
   const bool again = last.size() == work.problem.rows.size();
+  typename InteriorPoint<D>::Revision revise;
+  std::optional<SlipRevision> revision;
+  if constexpr (D == 3) {
+    if (revises) {
+      const double sticks = kSlip * island.rule.speed;
+      revision.emplace(island.bodies, island.contacts, sticks, work.problem, slip);
+      revise = std::ref(*revision);
+    }
+  }
+  const auto* like = again ? &last : nullptr;
   const bool solved =
-      work.solver.solve(work.problem, work.goal, work.impulses, again ? &last : nullptr).solved;
+      work.solver.solve(work.problem, work.goal, work.impulses, like, revise).solved;
+  work.revised = revision && revision->any();
   work.problem.spread(work.impulses, work.motion, true);
   const std::size_t n = island.bodies.size();
   outcome.after.resize(n);
@@ -107,14 +122,15 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
   const bool first = std::none_of(bounced.begin(), bounced.end(), [](char b) { return b != 0; });
   if (D == 2) {
     if (first) slip.assign(island.contacts.size(), 0.0);
-    return solve(work, island, bounced, slip, outcome);
+    return solve(work, island, bounced, false, slip, outcome);
   }
   // Slower than this is sticking.
   const double sticks = kSlip * island.rule.speed;
+  const bool many = island.contacts.size() > kMany;
   const auto slips = [&](std::size_t k, const auto& motion) {
     const IslandContact& c = island.contacts[k];
     const double along = std::abs(slip_of(c, motion(c.a), c.b < 0 ? SurfaceMotion{} : motion(c.b)));
-    return along > sticks ? along : 0;
+    return !many && along > sticks ? along : std::max(along - sticks, 0.0);
   };
   const auto before = [&](int i) -> SurfaceMotion {
     return {island.bodies[at(i)].before, island.bodies[at(i)].turning};
@@ -132,9 +148,11 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
     const double stopped = std::max(slips(k, before) - slip[k], 0.0);
     slip[k] = std::max(slip[k] - island.contacts[k].restitution * stopped, 0.0);
   }
+  const bool slides =
+      first && std::any_of(slip.begin(), slip.end(), [](double v) { return v > 0; });
   bool solved = false;
   for (int round = 0; round < (first ? kSlipRounds : 1); ++round) {
-    solved = solve(work, island, bounced, slip, outcome);
+    solved = solve(work, island, bounced, slides, slip, outcome);
     bool changes = false;
     for (std::size_t k = 0; k < slip.size(); ++k) {
       if (island.contacts[k].friction == 0) continue;
@@ -142,7 +160,7 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
       changes = changes || std::abs(now - slip[k]) > std::max(sticks, kSlipChange * now);
       slip[k] = round < 2 ? now : (now + slip[k]) / 2;  // it may go round in circles
     }
-    if (!changes) break;
+    if (!changes || work.revised) break;
   }
   // Where a slip was taken for more than it is the contact closes: without it, it cannot.  By the
   // velocities after bounces no ball has moved yet.
@@ -157,7 +175,7 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
     }
     if (!closes) break;
     if (round == 1) std::fill(slip.begin(), slip.end(), 0.0);
-    solved = solve(work, island, bounced, slip, outcome);
+    solved = solve(work, island, bounced, false, slip, outcome);
   }
   return solved;
 }
@@ -175,7 +193,8 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
       std::any_of(contacts.begin(), contacts.end(), [](const IslandContact& c) { return c.b < 0; });
   const double moving = mean_speed(bodies, held);
   // With friction contacts may close as fast as what counts as sticking slides.
-  const double apart = std::max(apart_speed(moving, rule), D == 3 ? kSlip * rule.speed : 0);
+  const double apart =
+      std::max(apart_speed(moving, rule), D == 3 ? kSlip * std::min(moving, rule.speed) : 0);
   // What hardly moves must be known as much better.
   const double slow = std::max(std::min(moving / rule.speed, 1.0), kSlowest);
   work.goal = (D == 3 ? kExact : kSolved) * slow * rule.speed;
@@ -313,7 +332,7 @@ bool IslandStep::holds(const std::vector<IslandBody>& bodies,
   for (IslandContact& c : closed) {
     // A contact that slides slower than kSlip, which counts as sticking, is lifted by mu times
     // that.
-    const double lifted = std::max(kClosed, spins ? c.friction * kSlip : 0);
+    const double lifted = std::max(kClosed, spins ? 2 * c.friction * kSlip : 0);
     if (c.gap < lifted * rule.speed * rule.step) c.gap = 0;
   }
   const Island island{still, closed, rule, unit_of(bodies)};

@@ -86,6 +86,7 @@ class IslandStep {
     std::vector<double> rooms;  // how fast each contact may close
     std::vector<double> slips;  // how fast each slides, as far as is known
     double goal = 0;            // how exactly it is solved, a speed
+    bool revised = false;       // slips have been, on the way to the last answer
     bool returns = false;       // bounces have been reckoned in
     std::vector<double> impulses;
     std::vector<double> motion;
@@ -103,10 +104,10 @@ class IslandStep {
   void take(Work<D>& work, const Island& island, IslandOutcome& outcome);
   template <int D>
   bool holds(Work<D>& work, const Island& island);
-  /// The least impulses for these slips.
+  /// The least impulses for these slips, or, if it `revises` them, for those that come out.
   template <int D>
-  bool solve(Work<D>& work, const Island& island, const std::vector<char>& bounced,
-             const std::vector<double>& slip, IslandOutcome& outcome);
+  bool solve(Work<D>& work, const Island& island, const std::vector<char>& bounced, bool revises,
+             std::vector<double>& slip, IslandOutcome& outcome);
   /// The same for the slips that come out.
   template <int D>
   bool solve(Work<D>& work, const Island& island, const std::vector<char>& bounced,
