@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace carom::effects {
@@ -11,23 +13,33 @@ namespace {
 
 constexpr std::size_t kLanes = 16;  // balls whose sums run side by side
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 using Lanes = std::array<double, kLanes>;
+
+/// 1.5 2^exponent: 0 or infinite where that is no normal number.
+double one_and_a_half(std::int64_t exponent) {
+  const auto biased = exponent + 1023;
+  if (biased <= 0) return 0;
+  if (biased >= 2047) return kInfinity;
+  return std::bit_cast<double>((biased << 52) | (std::int64_t{1} << 51));
+}
 
 /// A sum whose bits do not depend on the order of its terms.
 ///
 /// Each term is cut at two fixed binary places into parts that add up without rounding.  The places
 /// follow from the largest term and the number of terms.  What is dropped is less than 2^-80 of the
-/// largest term for up to a million terms.
+/// largest term for up to a million terms; nothing where the lower place is below normal numbers,
+/// whose sums are exact.
 /// Source: Demmel, Nguyen, IEEE Trans. Comput. 64 (2015) 2060.
 class OrderlessCuts {
  public:
   /// REQUIRES: `largest` is the largest magnitude of `count` terms, and finite.
   OrderlessCuts(double largest, std::size_t count) {
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    const int sum = exponent + static_cast<int>(std::bit_width(count));
-    upper = std::ldexp(1.5, sum);
-    lower = std::ldexp(1.5, 2 * sum - exponent - 52);
+    const std::int64_t exponent = (std::bit_cast<std::int64_t>(largest) >> 52) - 1022;
+    const std::int64_t sum = exponent + std::bit_width(count);
+    upper = one_and_a_half(sum);
+    lower = one_and_a_half(2 * sum - exponent - 52);
   }
 
   // Adding one of these and taking it away again rounds to its last place.
@@ -65,9 +77,9 @@ void attract_lanes(Balls& balls, const Domain& domain, const Attraction& attract
         if constexpr (kPeriodicX) dx = nearest_image(dx, domain.period[0]);
         if constexpr (kPeriodicY) dy = nearest_image(dy, domain.period[1]);
         const double square = dx * dx + dy * dy + softening;
-        const double part = strength / (square * std::sqrt(square));
         // A ball does not attract itself, nor one in its very place.
-        const double weight = square > 0 ? part : 0;
+        const double divisor = square > 0 ? square : kInfinity;
+        const double weight = strength / (divisor * std::sqrt(divisor));
         term_x[l] = m * (weight * dx);
         term_y[l] = m * (weight * dy);
         const double size_x = std::abs(term_x[l]);
@@ -84,24 +96,22 @@ void attract_lanes(Balls& balls, const Domain& domain, const Attraction& attract
       upper[l] = cuts.upper;
       lower[l] = cuts.lower;
     }
-    std::array<Lanes, 2> sums{};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      Lanes high{};
-      Lanes low{};
-      for (std::size_t j = 0; j < n; ++j) {
-        const Lanes term = terms[j][axis];
+    std::array<Lanes, 2> high{};
+    std::array<Lanes, 2> low{};
+    for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        const Lanes& term = terms[j][axis];
         for (std::size_t l = 0; l < kLanes; ++l) {
           const double above = (term[l] + upper[l]) - upper[l];
-          high[l] += above;
-          low[l] += ((term[l] - above) + lower[l]) - lower[l];
+          high[axis][l] += above;
+          low[axis][l] += ((term[l] - above) + lower[l]) - lower[l];
         }
       }
-      for (std::size_t l = 0; l < kLanes; ++l) sums[axis][l] = high[l] + low[l];
     }
     for (std::size_t l = 0; l < count; ++l) {
       const bool moves = inverse_mass[start + l] > 0;
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        balls.pull[axis][start + l] = moves ? sums[axis][l] : 0;
+        balls.pull[axis][start + l] = moves ? high[axis][l] + low[axis][l] : 0;
       }
     }
   }

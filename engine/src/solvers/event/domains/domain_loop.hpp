@@ -125,9 +125,9 @@ class DomainLoop {
   [[nodiscard]] std::size_t bytes() const;
   /// Of one ball in it, about.
   static constexpr std::size_t bytes_of_ball() {
-    constexpr std::size_t cell_and_queue = 40;
+    constexpr std::size_t kCellAndQueue = 40;
     return sizeof(Loaded) + sizeof(BlockFlight) + sizeof(Path) + sizeof(Side) + sizeof(Track) +
-           sizeof(Index) + NearLists::kBytesOfBall + NearSearch::kBytesOfBall + cell_and_queue;
+           sizeof(Index) + NearLists::kBytesOfBall + NearSearch::kBytesOfBall + kCellAndQueue;
   }
 
  private:
