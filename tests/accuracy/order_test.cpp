@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <ostream>
 #include <random>
 
 #include "accuracy/samples.hpp"
@@ -125,6 +126,10 @@ struct Case {
   const char* name;
   Known (*make)(std::mt19937_64&);
 };
+
+void PrintTo(const Case& each, std::ostream* out) {
+  *out << each.name;
+}
 
 class Order : public testing::TestWithParam<Case> {};
 

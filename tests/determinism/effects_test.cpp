@@ -1,6 +1,7 @@
 // The bits of a run with every effect: the same for any number of workers, frames, stopped or not.
 #include <gtest/gtest.h>
 
+#include "carom/report.hpp"
 #include "carom/scene_file.hpp"
 #include "carom/session.hpp"
 
@@ -79,7 +80,8 @@ TEST_P(AllEffects, AreHashedWithTheirSpins) {
   EXPECT_EQ(hash_of(scene, 0, 1), without);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, AllEffects, testing::Values(Method::overlap, Method::event));
+INSTANTIATE_TEST_SUITE_P(Methods, AllEffects, testing::Values(Method::overlap, Method::event),
+                         [](const auto& each) { return method_name(each.param); });
 
 }  // namespace
 }  // namespace carom::effects_test

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <ostream>
 #include <random>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct Case {
   bool drag = false;
   bool friction = false;
 };
+
+void PrintTo(const Case& each, std::ostream* out) {
+  *out << each.name;
+}
 
 Scene mixture(const Case& wanted) {
   Scene scene;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "carom/report.hpp"
 #include "carom/simulation.hpp"
 #include "support/known_scene.hpp"
 
@@ -47,7 +48,8 @@ TEST_P(Orbit, HasTheKeplerPeriodAndEccentricity) {
   EXPECT_NEAR(crossing, 2 * std::numbers::pi, 1e-4);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Orbit, testing::Values(Method::overlap, Method::event));
+INSTANTIATE_TEST_SUITE_P(Methods, Orbit, testing::Values(Method::overlap, Method::event),
+                         [](const auto& each) { return method_name(each.param); });
 
 TEST(Attraction, ClosesAnEllipseToAMillionthAfterAThousandTurns) {
   Scene scene = scene_of("attraction", Method::event);

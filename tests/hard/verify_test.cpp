@@ -54,11 +54,15 @@
 #include "carom/report.hpp"
 #include "carom/verify.hpp"
 
-namespace carom::verify_test {
+namespace carom {
 
 void PrintTo(const HardCase& each, std::ostream* out) {
   *out << each.name;
 }
+
+}  // namespace carom
+
+namespace carom::verify_test {
 
 namespace {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <ostream>
 #include <set>
 #include <sstream>
 
@@ -22,6 +23,10 @@ struct Shell {
   std::string name;
   std::set<std::string> (*offers)(const Words& line);
 };
+
+void PrintTo(const Shell& shell, std::ostream* out) {
+  *out << shell.name;
+}
 
 std::set<std::string> first_words(const std::string& text) {
   std::set<std::string> words;

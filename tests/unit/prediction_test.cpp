@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 #include <random>
 #include <set>
 #include <vector>
@@ -70,11 +71,16 @@ struct Balls : PredictedBalls {
 };
 
 struct Case {
+  const char* name;
   std::array<double, 2> gravity;
   bool periodic;
   std::size_t fixed;
   bool rests = false;
 };
+
+void PrintTo(const Case& each, std::ostream* out) {
+  *out << each.name;
+}
 
 Rules rules_of(const Case& of) {
   Rules rules = box(13, of.gravity, of.periodic);
@@ -138,9 +144,13 @@ TEST_P(OfCase, TheNextOfSomeIsTheFirstOfThose) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Prediction, OfCase,
-                         ::testing::Values(Case{{0, 0}, false, 0}, Case{{0, 0}, true, 0},
-                                           Case{{0, 0}, true, 5}, Case{{3, -40}, false, 0},
-                                           Case{{0, -40}, true, 5}, Case{{0, -40}, true, 0, true}));
+                         ::testing::Values(Case{"walls", {0, 0}, false, 0},
+                                           Case{"periodic", {0, 0}, true, 0},
+                                           Case{"fixed", {0, 0}, true, 5},
+                                           Case{"falling", {3, -40}, false, 0},
+                                           Case{"falling_on_fixed", {0, -40}, true, 5},
+                                           Case{"resting", {0, -40}, true, 0, true}),
+                         [](const auto& each) { return each.param.name; });
 
 // Three in a row, the outer two of which come to the middle one at the same time.
 TEST(Prediction, NotesATieWhereABallMeetsTwoAtOnce) {

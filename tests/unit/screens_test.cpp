@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <ostream>
 #include <regex>
 #include <string>
 
@@ -13,6 +14,14 @@
 #include "support/process.hpp"
 #include "unit/stage.hpp"
 #include "view/player.hpp"
+
+namespace carom {
+
+void PrintTo(const UserInterface::Size& size, std::ostream* out) {
+  *out << size.columns << 'x' << size.rows;
+}
+
+}  // namespace carom
 
 namespace carom::screens_test {
 namespace {

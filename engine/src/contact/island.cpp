@@ -129,8 +129,9 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
   const bool many = island.contacts.size() > kMany;
   const auto slips = [&](std::size_t k, const auto& motion) {
     const IslandContact& c = island.contacts[k];
-    const double along = std::abs(slip_of(c, motion(c.a), c.b < 0 ? SurfaceMotion{} : motion(c.b)));
-    return !many && along > sticks ? along : std::max(along - sticks, 0.0);
+    const SurfaceMotion b = c.b < 0 ? SurfaceMotion{} : motion(c.b);
+    const double beyond = sliding(c, motion(c.a), b, sticks);
+    return many || beyond == 0 ? beyond : std::abs(slip_of(c, motion(c.a), b));
   };
   const auto before = [&](int i) -> SurfaceMotion {
     return {island.bodies[at(i)].before, island.bodies[at(i)].turning};
