@@ -13,15 +13,13 @@ namespace {
 
 constexpr std::size_t kLanes = 16;  // balls whose sums run side by side
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 using Lanes = std::array<double, kLanes>;
 
 /// 1.5 2^exponent: 0 or infinite where that is no normal number.
 double one_and_a_half(std::int64_t exponent) {
   const auto biased = exponent + 1023;
   if (biased <= 0) return 0;
-  if (biased >= 2047) return kInfinity;
+  if (biased >= 2047) return std::numeric_limits<double>::infinity();
   return std::bit_cast<double>((biased << 52) | (std::int64_t{1} << 51));
 }
 
@@ -37,7 +35,7 @@ class OrderlessCuts {
   /// REQUIRES: `largest` is the largest magnitude of `count` terms, and finite.
   OrderlessCuts(double largest, std::size_t count) {
     const std::int64_t exponent = (std::bit_cast<std::int64_t>(largest) >> 52) - 1022;
-    const std::int64_t sum = exponent + std::bit_width(count);
+    const std::int64_t sum = exponent + static_cast<std::int64_t>(std::bit_width(count));
     upper = one_and_a_half(sum);
     lower = one_and_a_half(2 * sum - exponent - 52);
   }
@@ -57,6 +55,7 @@ void attract_lanes(Balls& balls, const Domain& domain, const Attraction& attract
   const std::size_t n = balls.size();
   const double softening = attraction.softening * attraction.softening;
   const double strength = attraction.strength;
+  const double infinity = std::numeric_limits<double>::infinity();
   std::vector<std::array<Lanes, 2>> terms(n);
   for (std::size_t start = begin; start < end; start += kLanes) {
     const std::size_t count = std::min(kLanes, end - start);
@@ -78,7 +77,7 @@ void attract_lanes(Balls& balls, const Domain& domain, const Attraction& attract
         if constexpr (kPeriodicY) dy = nearest_image(dy, domain.period[1]);
         const double square = dx * dx + dy * dy + softening;
         // A ball does not attract itself, nor one in its very place.
-        const double divisor = square > 0 ? square : kInfinity;
+        const double divisor = square > 0 ? square : infinity;
         const double weight = strength / (divisor * std::sqrt(divisor));
         term_x[l] = m * (weight * dx);
         term_y[l] = m * (weight * dy);

@@ -174,7 +174,7 @@ class EventLoop {
   // Contact islands: loop_island_body.hpp.
   [[nodiscard]] bool is_hit_of_island(Index i, Index partner, At now) const;
   /// `hits`: balls that meet something at the present instant, those of one group together.
-  void hit_islands(std::vector<std::vector<Index>> hits, At now);
+  void hit_islands(const std::vector<std::vector<Index>>& hits, At now);
   void step_islands(At now);
   /// Counts, books and notes what has happened to an island, which flies on.
   void take_on(const FoundIsland& island, const IslandChange& change, At now);

@@ -26,7 +26,7 @@ bool EventLoop<P>::is_hit_of_island(Index i, Index partner, At now) const {
 // Balls that meet something at one instant; those of one island are resolved together. All are
 // found before any is resolved.
 template <class P>
-void EventLoop<P>::hit_islands(std::vector<std::vector<Index>> hits, At now) {
+void EventLoop<P>::hit_islands(const std::vector<std::vector<Index>>& hits, At now) {
   if (hits.empty()) return;
   const Stopwatch stopwatch(true, costs_.island_seconds());
   schedule_step(now);
@@ -34,7 +34,7 @@ void EventLoop<P>::hit_islands(std::vector<std::vector<Index>> hits, At now) {
   if (step_clock_.runs()) {
     span = motion_.stepped_way(motion_.rules().scale.seconds(step_clock_.next() - now));
   }
-  for (FoundIsland& island : island_search_.of_hits(std::move(hits), now)) {
+  for (FoundIsland& island : island_search_.of_hits(hits, now)) {
     resolutions_.begin();
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
       if (island.touches[k] == 0) continue;

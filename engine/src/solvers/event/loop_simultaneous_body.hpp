@@ -124,7 +124,7 @@ void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<P
       return true;
     });
   }
-  hit_islands(std::move(islands), now);
+  hit_islands(islands, now);
   // What an island has taken with it has other velocities now: its contacts are looked for again.
   const auto is_taken = [&](std::vector<Index> balls) {
     if (std::none_of(balls.begin(), balls.end(),
@@ -167,7 +167,7 @@ void EventLoop<P>::settle_pressed() {
       others.push_back(std::move(group.pairs));
     }
   }
-  hit_islands(std::move(islands), now);
+  hit_islands(islands, now);
   for (const auto& pairs : others) {
     resolutions_.begin();
     for (const auto& [i, partner] : pairs) {

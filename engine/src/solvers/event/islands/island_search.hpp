@@ -50,7 +50,7 @@ class IslandSearch {
   [[nodiscard]] std::vector<Island> of_step(const std::vector<Index>& balls, At now, Time until);
   /// The islands of groups of balls that meet something now; groups that share an island are one.
   /// Those of many contacts with what comes to them before the next step.
-  [[nodiscard]] std::vector<Island> of_hits(std::vector<std::vector<Index>> groups, At now);
+  [[nodiscard]] std::vector<Island> of_hits(const std::vector<std::vector<Index>>& groups, At now);
 
  private:
   /// Two that will meet.

@@ -67,7 +67,7 @@ auto IslandSearch<P>::of_step(const std::vector<Index>& balls, At now, Time unti
 }
 
 template <class P>
-auto IslandSearch<P>::of_hits(std::vector<std::vector<Index>> groups, At now)
+auto IslandSearch<P>::of_hits(const std::vector<std::vector<Index>>& groups, At now)
     -> std::vector<Island> {
   // Those that touch become one island, though none of them is of one yet.
   const auto mark = [&](char joins) {
