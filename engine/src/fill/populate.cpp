@@ -143,7 +143,7 @@ std::vector<Ball> populate(const Scene& scene) {
     } else {
       place_on_lattice(scene, number, grid, places);
     }
-    // Those of the last fill are in nobody's way.
+    // No later fill must avoid those of the last.
     const bool last = number + 1 == scene.fills.size();
     const std::size_t first = balls.size();
     balls.reserve(first + places.size());
