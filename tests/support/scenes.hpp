@@ -19,6 +19,14 @@ inline double gaussian(std::mt19937_64& engine) {
   return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * uniform(engine));
 }
 
+inline Box box_of(double width, double height, bool around_x, bool around_y) {
+  Box box;
+  box.width = width;
+  box.height = height;
+  box.periodic = {around_x, around_y};
+  return box;
+}
+
 /// `columns` x `rows` disks of radius 1/2 and mass 1 at a packing, in rows like a honeycomb, in a
 /// box they fill evenly; velocities of temperature 1, no net momentum.
 inline Scene gas(std::size_t columns, std::size_t rows, double packing, std::uint64_t seed = 1) {

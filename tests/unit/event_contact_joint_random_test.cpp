@@ -12,12 +12,12 @@
 namespace carom::event::event_contact_joint_random_test {
 namespace {
 
-using carom::test::RandomNumbers;
 using test::approaches;
 using test::energy;
 using test::Group;
 using test::momentum;
 using test::Rack;
+using test::RandomNumbers;
 using test::V;
 
 constexpr double kU = 0x1p-53;

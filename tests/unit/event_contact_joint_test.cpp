@@ -115,7 +115,7 @@ TEST(EventJointImpact, CountsTheWallsOfACornerApart) {
 }
 
 TEST(EventJointImpact, InAHundredDigitsKeepsTheRacksEnergyToAllOfThem) {
-  using carom::test::Exact;
+  using test::Exact;
   const Rack rack(4, 1);
   std::vector<Body<Exact>> bodies;
   std::vector<Contact<Exact>> contacts;

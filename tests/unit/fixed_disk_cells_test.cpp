@@ -11,13 +11,7 @@
 namespace carom::event::fixed_disk_cells_test {
 namespace {
 
-Box box_of(double width, double height, bool around_x, bool around_y) {
-  Box box;
-  box.width = width;
-  box.height = height;
-  box.periodic = {around_x, around_y};
-  return box;
-}
+using test::box_of;
 
 bool touch(const Box& box, const Ball& a, const Ball& b) {
   Vec2 way = b.position - a.position;

@@ -6,8 +6,12 @@
 #include <cmath>
 #include <vector>
 
+#include "support/scenes.hpp"
+
 namespace carom::scene::random_places_test {
 namespace {
+
+using test::box_of;
 
 struct Case {
   const char* name;
@@ -18,14 +22,6 @@ struct Case {
   std::vector<Ball> before;
   std::size_t tries;
 };
-
-Box box_of(double width, double height, bool around_x, bool around_y) {
-  Box box;
-  box.width = width;
-  box.height = height;
-  box.periodic = {around_x, around_y};
-  return box;
-}
 
 Ball ball_at(double x, double y, double radius) {
   Ball ball;

@@ -48,7 +48,6 @@ ConeResponse::ConeResponse(const std::vector<ConeBody>& bodies,
 // Every edge in units in which its own response is the same.
 void ConeResponse::scale_edges() {
   std::vector<int> at_body(inverse_mass_.size(), 0);
-  const auto index = [](int body) { return static_cast<std::size_t>(body); };
   for (std::size_t k = 0; k < contacts_; ++k) {
     for (const int body : ends_[k]) ++at_body[index(body)];
   }

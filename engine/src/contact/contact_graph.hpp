@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/disjoint_sets.hpp"
+#include "contact/index.hpp"
 #include "numbers/exact_sum.hpp"
 #include "numbers/scalar.hpp"
 
@@ -123,8 +124,6 @@ class ContactGraph {
     std::size_t contact;
     bool is_b;
   };
-
-  static std::size_t index(int body) { return static_cast<std::size_t>(body); }
 
   bool feel(std::size_t one, std::size_t other) const {
     const Vec<S>& r = normals_[one];

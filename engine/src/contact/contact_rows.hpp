@@ -17,8 +17,6 @@ struct Row {
   double j[D]{};  ///< as b feels it; a feels the same with x and y turned round
   double q = 0;   ///< how fast the contact opens along the row without an impulse
   double w = 0;   ///< how fast one unit of its impulse opens it
-
-  [[nodiscard]] double of_a(int c) const { return c < 2 ? -j[c] : j[c]; }
 };
 
 /// Find the least impulses f >= 0 by which no row closes: f >= 0, J M^-1 J' f + q >= 0, and one of

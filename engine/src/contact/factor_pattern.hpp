@@ -4,12 +4,9 @@
 #include <utility>
 #include <vector>
 
-namespace carom::contact {
+#include "contact/index.hpp"
 
-/// Of a body, block or place, as what indexes vectors.
-inline std::size_t index(int k) {
-  return static_cast<std::size_t>(k);
-}
+namespace carom::contact {
 
 /// Where the blocks of a sparse symmetric matrix and of its Cholesky factor are: the order in which
 /// bodies are eliminated, one of least fill (approximate minimum degree), and the rows of each

@@ -25,6 +25,11 @@ constexpr int kSlipRounds = 2;
 constexpr std::size_t kMany = 128;  // contacts: of more slips are revised, which must not jump
 constexpr int kBounceRounds = 4;
 
+/// What slides slower counts as sticking.
+double sticking(const IslandStep::Rule& rule) {
+  return kSlip * rule.speed;
+}
+
 template <int D>
 constexpr double tolerated() {
   return D == 3 ? kTolerated : kClosed;
@@ -46,7 +51,7 @@ void IslandStep::pose(Work<D>& work, const Island& island, const std::vector<cha
   problem.rows.clear();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const IslandContact& c = island.contacts[k];
-    const IslandBody& a = island.bodies[at(c.a)];
+    const IslandBody& a = island.bodies[index(c.a)];
     const Vec2 t = across(c.normal);
     const double offset =
         bounced[k] != 0 ? -c.restitution * arrival(island.bodies, c, island.rule) : work.rooms[k];
@@ -61,7 +66,7 @@ void IslandStep::pose(Work<D>& work, const Island& island, const std::vector<cha
       row.q = -row.j[0] * a.free.x() - row.j[1] * a.free.y();
       if (D == 3) row.q += row.j[D - 1] * a.turning;
       if (c.b >= 0) {
-        const IslandBody& b = island.bodies[at(c.b)];
+        const IslandBody& b = island.bodies[index(c.b)];
         row.q += row.j[0] * b.free.x() + row.j[1] * b.free.y();
         if (D == 3) row.q += row.j[D - 1] * b.turning;
       }
@@ -83,8 +88,7 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
   std::optional<SlipRevision> revision;
   if constexpr (D == 3) {
     if (revises) {
-      const double sticks = kSlip * island.rule.speed;
-      revision.emplace(island.bodies, island.contacts, sticks, work.problem, slip);
+      revision.emplace(island.bodies, island.contacts, sticking(island.rule), work.problem, slip);
       revise = std::ref(*revision);
     }
   }
@@ -124,8 +128,7 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
     if (first) slip.assign(island.contacts.size(), 0.0);
     return solve(work, island, bounced, false, slip, outcome);
   }
-  // Slower than this is sticking.
-  const double sticks = kSlip * island.rule.speed;
+  const double sticks = sticking(island.rule);
   const bool many = island.contacts.size() > kMany;
   const auto slips = [&](std::size_t k, const auto& motion) {
     const IslandContact& c = island.contacts[k];
@@ -134,10 +137,10 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
     return many || beyond == 0 ? beyond : std::abs(slip_of(c, motion(c.a), b));
   };
   const auto before = [&](int i) -> SurfaceMotion {
-    return {island.bodies[at(i)].before, island.bodies[at(i)].turning};
+    return {island.bodies[index(i)].before, island.bodies[index(i)].turning};
   };
   const auto after = [&](int i) -> SurfaceMotion {
-    return {outcome.after[at(i)], outcome.turning[at(i)]};
+    return {outcome.after[index(i)], outcome.turning[index(i)]};
   };
   if (first) slip.assign(island.contacts.size(), 0.0);
   const bool returns = !first && !std::exchange(work.returns, true);
@@ -170,7 +173,7 @@ bool IslandStep::solve(Work<D>& work, const Island& island, const std::vector<ch
     for (std::size_t k = 0; k < slip.size(); ++k) {
       const IslandContact& c = island.contacts[k];
       const double room = bounced[k] != 0 ? 0 : work.rooms[k];
-      if (!(opening_of(outcome.after, c) + room < -kSlip * island.rule.speed)) continue;
+      if (!(opening_of(outcome.after, c) + room < -sticks)) continue;
       closes = true;
       slip[k] = 0;
     }
@@ -267,8 +270,8 @@ void IslandStep::keep_apart(const Island& island, const std::vector<Vec2>& plast
       const double end = c.gap + island.rule.step * opening_of(mean, c);
       if (!(end < std::min(c.gap, 0.0) - most)) continue;
       for (const int body : {c.a, c.b}) {
-        if (body < 0 || mean[at(body)] == plastic[at(body)]) continue;
-        mean[at(body)] = plastic[at(body)];
+        if (body < 0 || mean[index(body)] == plastic[index(body)]) continue;
+        mean[index(body)] = plastic[index(body)];
         more = true;
       }
     }

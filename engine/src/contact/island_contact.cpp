@@ -14,22 +14,22 @@ double opening(const IslandContact& c, const Vec2& a, const Vec2& b) {
 }
 
 double opening_before(const std::vector<IslandBody>& bodies, const IslandContact& c) {
-  return opening(c, bodies[at(c.a)].before, c.b < 0 ? kStill : bodies[at(c.b)].before);
+  return opening(c, bodies[index(c.a)].before, c.b < 0 ? kStill : bodies[index(c.b)].before);
 }
 
 }  // namespace
 
 double opening_of(const std::vector<Vec2>& motion, const IslandContact& c) {
-  return opening(c, motion[at(c.a)], c.b < 0 ? kStill : motion[at(c.b)]);
+  return opening(c, motion[index(c.a)], c.b < 0 ? kStill : motion[index(c.b)]);
 }
 
 double arrival(const std::vector<IslandBody>& bodies, const IslandContact& c,
                const IslandStep::Rule& rule) {
   const double closing = -opening_before(bodies, c);
   if (!(closing > 0)) return closing;
-  const IslandBody& a = bodies[at(c.a)];
+  const IslandBody& a = bodies[index(c.a)];
   const double pull = c.b < 0 ? acceleration_of(a, rule).dot(c.normal)
-                              : (a.pull - bodies[at(c.b)].pull).dot(c.normal);
+                              : (a.pull - bodies[index(c.b)].pull).dot(c.normal);
   if (c.b >= 0 && pull == 0) return closing;
   return std::sqrt(std::max(closing * closing + 2 * pull * std::max(c.gap, 0.0), 0.0));
 }

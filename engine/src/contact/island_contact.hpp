@@ -1,18 +1,14 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
+#include "contact/index.hpp"
 #include "contact/island.hpp"
 
 namespace carom::contact {
 
 /// A gap that is none, by the way of the rule's speed in a step.
 constexpr double kClosed = kExact;
-
-inline std::size_t at(int body) {
-  return static_cast<std::size_t>(body);
-}
 
 inline Vec2 across(const Vec2& normal) {
   return {-normal.y(), normal.x()};

@@ -30,9 +30,9 @@ void take_single(const std::vector<IslandBody>& bodies, const IslandContact& c,
   outcome.along.assign(1, 0.0);
   outcome.solved = true;
   if (!meets) return;
-  const auto a = at(c.a);
+  const auto a = index(c.a);
   const double of_a = bodies[a].inverse_mass;
-  const double of_b = c.b < 0 ? 0 : bodies[at(c.b)].inverse_mass;
+  const double of_b = c.b < 0 ? 0 : bodies[index(c.b)].inverse_mass;
   const double wanted = bounce ? c.restitution * arrival(bodies, c, rule) : -room;
   const double gained = std::max(wanted - free, 0.0);
   outcome.normal[0] = gained / rule.fading / (of_a + of_b);
@@ -40,7 +40,7 @@ void take_single(const std::vector<IslandBody>& bodies, const IslandContact& c,
   double along = 0;
   if (c.friction > 0) {
     const SurfaceMotion other =
-        c.b < 0 ? SurfaceMotion{} : SurfaceMotion{motion[at(c.b)], outcome.turning[at(c.b)]};
+        c.b < 0 ? SurfaceMotion{} : SurfaceMotion{motion[index(c.b)], outcome.turning[index(c.b)]};
     const double slip = slip_of(c, {motion[a], outcome.turning[a]}, other);
     // The impact comes within the step: what it does not have to hold of the pull makes no
     // friction.
@@ -58,7 +58,7 @@ void take_single(const std::vector<IslandBody>& bodies, const IslandContact& c,
     outcome.mean[body] = c.normal.dot(met) * c.normal + across_mean * t;
   };
   push(a, -1, of_a / (of_a + of_b));
-  if (c.b >= 0) push(at(c.b), 1, of_b / (of_a + of_b));
+  if (c.b >= 0) push(index(c.b), 1, of_b / (of_a + of_b));
   if (rule.keeps_energy || bounce) {
     IslandOutcome plastic = outcome;
     const auto stop = [&](std::size_t body, int side, double share) {
@@ -66,7 +66,7 @@ void take_single(const std::vector<IslandBody>& bodies, const IslandContact& c,
           bodies[body].free + side * share * ((-room - free) * c.normal + rule.fading * along * t);
     };
     stop(a, -1, of_a / (of_a + of_b));
-    if (c.b >= 0) stop(at(c.b), 1, of_b / (of_a + of_b));
+    if (c.b >= 0) stop(index(c.b), 1, of_b / (of_a + of_b));
     hold_energy(bodies, rule, plastic, outcome);
   }
   end_gain(bodies, rule, c.b < 0, outcome);

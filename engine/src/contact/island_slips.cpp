@@ -26,18 +26,17 @@ void SlipRevision::operator()(const std::vector<double>& motion, double miss) {
     return;
   }
   ++(ends ? corrections_ : revisions_);
-  revise(motion, miss);
+  revise(motion, miss, ends);
 }
 
 SurfaceMotion SlipRevision::surface(const std::vector<double>& motion, int body) const {
   if (body < 0) return {};
-  const double* change = motion.data() + at(body) * 3;
-  const IslandBody& of = bodies_[at(body)];
+  const double* change = motion.data() + index(body) * 3;
+  const IslandBody& of = bodies_[index(body)];
   return {of.free + Vec2{change[0], change[1]}, of.turning + change[2]};
 }
 
-void SlipRevision::revise(const std::vector<double>& motion, double miss) {
-  const bool ends = !(miss > sticks_);
+void SlipRevision::revise(const std::vector<double>& motion, double miss, bool ends) {
   std::size_t row = 0;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const IslandContact& c = contacts_[k];

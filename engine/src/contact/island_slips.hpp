@@ -33,7 +33,7 @@ class SlipRevision {
   [[nodiscard]] bool any() const { return revisions_ > 0; }
 
  private:
-  void revise(const std::vector<double>& motion, double miss);
+  void revise(const std::vector<double>& motion, double miss, bool ends);
   [[nodiscard]] SurfaceMotion surface(const std::vector<double>& motion, int body) const;
 
   const std::vector<IslandBody>& bodies_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/dissipation.hpp"
+#include "contact/index.hpp"
 #include "contact/joint_impact.hpp"
 #include "contact/pair_friction.hpp"
 #include "numbers/exact_sum.hpp"
@@ -97,7 +98,6 @@ class JointFriction {
     ExactSum<S> spin;
   };
 
-  static std::size_t index(int body) { return static_cast<std::size_t>(body); }
   [[nodiscard]] bool moves(int body) const {
     return body != kWall && bodies_[index(body)].inverse_mass != 0;
   }

@@ -8,6 +8,7 @@
 #include "contact/contact_graph.hpp"
 #include "contact/dissipation.hpp"
 #include "contact/group_motion.hpp"
+#include "contact/index.hpp"
 #include "contact/joint_report.hpp"
 #include "contact/kept_energy.hpp"
 #include "contact/nonnegative_impulses.hpp"
@@ -201,8 +202,6 @@ class JointImpact {
       if (impulses[k] > 0) gains_[k] = gains_[k] - factor * impulses[k] * graph_.mobility(k);
     }
   }
-
-  static std::size_t index(int body) { return static_cast<std::size_t>(body); }
 
   void mend() {
     rounding_.end([this](const Chosen& chosen) { reflect(chosen, true); });
