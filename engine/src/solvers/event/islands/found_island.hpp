@@ -25,6 +25,7 @@ struct FoundIsland : IslandMotion {
   std::vector<Vec<S>> places;
   std::vector<Near> near;  ///< by contact
   double deepest = 0;      ///< overlap of two balls / smaller radius
+  bool complete = false;   ///< the search for it began with all of its members
 };
 
 /// Whether it has many contacts: what comes to it is resolved ahead of its time.

@@ -61,6 +61,9 @@ class IslandSearch {
   };
 
   [[nodiscard]] Island of(const std::vector<Index>& balls, At now, Time until);
+  /// Of the islands of many contacts the first that one of these balls is of; -1: of none.
+  [[nodiscard]] int large_of(const std::vector<Island>& islands,
+                             const std::vector<Index>& balls) const;
   /// Adds the island of these balls, with those of `islands` that it shares a ball with.
   void add(std::vector<Island>& islands, std::vector<Index> balls, At now, Time until);
   /// Nothing belongs to an island any more; drops those without balls.

@@ -18,29 +18,55 @@ auto IslandSearch<P>::of(const std::vector<Index>& balls, At now, Time until) ->
   for (const Index i : balls) {
     if (number_[i] < 0) join(island, i, now);
   }
+  const std::size_t given = island.members.size();
   if (motion_.rules().collisions) {
     add_near(island, 0, now, true);
-    if (island.contacts.size() > kFewContacts) add_coming(island, now, until);
+    if (is_large(island)) add_coming(island, now, until);
   }
   for (const Index m : island.members) number_[m] = -1;
-  if (island.contacts.size() > kFewContacts) put_in_order(island);
+  if (is_large(island)) put_in_order(island);
+  island.complete = island.members.size() == given;
   return island;
 }
 
 template <class P>
+int IslandSearch<P>::large_of(const std::vector<Island>& islands,
+                              const std::vector<Index>& balls) const {
+  for (const Index i : balls) {
+    if (owner_[i] >= 0 && is_large(islands[static_cast<std::size_t>(owner_[i])])) return owner_[i];
+  }
+  return -1;
+}
+
+// A large island is in order by place, whatever it was found from: what begins with one of it is
+// not looked for before it is known what else there is, nor what is complete for each of its hits.
+template <class P>
 void IslandSearch<P>::add(std::vector<Island>& islands, std::vector<Index> balls, At now,
                           Time until) {
+  const auto own = [this](const Island& island, std::size_t number) {
+    for (const Index m : island.members) owner_[m] = static_cast<int>(number);
+  };
   for (;;) {
-    Island island = of(balls, now, until);
-    const auto shared = std::find_if(island.members.begin(), island.members.end(),
-                                     [this](Index m) { return owner_[m] >= 0; });
-    if (shared == island.members.end()) {
-      for (const Index m : island.members) owner_[m] = static_cast<int>(islands.size());
-      islands.push_back(std::move(island));
-      return;
+    int owner = large_of(islands, balls);
+    if (owner < 0) {
+      Island island = of(balls, now, until);
+      const auto shared = std::find_if(island.members.begin(), island.members.end(),
+                                       [this](Index m) { return owner_[m] >= 0; });
+      if (shared == island.members.end()) {
+        own(island, islands.size());
+        islands.push_back(std::move(island));
+        return;
+      }
+      owner = owner_[*shared];
     }
     // A ball that an earlier island has brings its island with it.
-    Island& other = islands[static_cast<std::size_t>(owner_[*shared])];
+    Island& other = islands[static_cast<std::size_t>(owner)];
+    if (is_large(other) && other.complete &&
+        std::all_of(balls.begin(), balls.end(), [&](Index i) { return owner_[i] == owner; })) {
+      own(other, islands.size());
+      islands.push_back(std::exchange(other, Island()));
+      return;
+    }
     for (const Index m : other.members) owner_[m] = -1;
     balls.insert(balls.end(), other.members.begin(), other.members.end());
     other = Island();
