@@ -136,6 +136,23 @@ Scene raining(double friction) {
   return scene;
 }
 
+// The same with drag, and on fixed balls: some come to lie on these.
+Scene raining_on_fixed(double friction, double drag) {
+  Scene scene = raining(friction);
+  for (std::size_t i = 5; i < scene.balls.size(); i += 16) {
+    scene.balls[i].fixed = true;
+    scene.balls[i].velocity = {0, 0};
+  }
+  if (drag > 0) scene.effects.drag = Drag{drag};
+  return scene;
+}
+
+Scene falling_with_drag() {
+  Scene scene = falling();
+  scene.effects.drag = Drag{0.3};
+  return scene;
+}
+
 std::vector<Case> cases() {
   return {{"gas", test::gas(36, 40, 0.5), 1},
           {"thin gas", test::gas(36, 40, 0.05), 8},
@@ -149,7 +166,10 @@ std::vector<Case> cases() {
           {"granular and walled", granular(test::walled_gas(30, 34, 0.6), 0.5), 1.5},
           {"collapsing", collapsing(), 0.2},
           {"raining", raining(0), 2.5},
-          {"raining, with friction", raining(0.4), 2.5}};
+          {"raining, with friction", raining(0.4), 2.5},
+          {"raining on fixed balls", raining_on_fixed(0, 0), 2.5},
+          {"raining on fixed balls, with friction and drag", raining_on_fixed(0.4, 0.2), 2.5},
+          {"falling with drag", falling_with_drag(), 1.5}};
 }
 
 TEST(EventDomains, OfAnyNumberOfWorkersGiveTheBitsOfOneEventLoop) {

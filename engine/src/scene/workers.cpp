@@ -18,13 +18,11 @@ constexpr std::size_t kManyToForesee = 20'000;  // balls of event, in windows th
 // Method event shares domains of the plane.  Which balls touch at the start is not known yet: those
 // that gravity presses together are few, or the scene has losses.
 bool has_domains(const Scene& scene) {
-  const bool fixed = std::any_of(scene.balls.begin(), scene.balls.end(),
-                                 [](const Ball& ball) { return ball.fixed; });
   const Effects& effects = scene.effects;
-  const bool rests = loses_energy(scene) || (effects.gravity && effects.friction);
+  const bool rests = loses_energy(scene) || (effects.gravity && (effects.friction || effects.drag));
   // Domains solve what falls only until the first ball rests; then one worker is as fast as many.
   if (rests && effects.gravity) return false;
-  return scene.solver.digits == 16 && domains_suit(effects, scene.box.periodic, fixed, rests);
+  return scene.solver.digits == 16 && domains_suit(effects, scene.box.periodic, rests);
 }
 
 bool gains_by_sharing(const Scene& scene, std::size_t balls) {

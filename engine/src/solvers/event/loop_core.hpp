@@ -94,8 +94,8 @@ class LoopCore final : public Core {
   /// flights that are over, and in the present ones if so asked.
   [[nodiscard]] Turns turns(bool of_present_flights) const;
   [[nodiscard]] ExactSum<double> lost() const;
-  /// What drag and sliding have taken from the present flights till now; in domains, since they
-  /// began.
+  /// What drag and sliding have taken from the present flights till now; where domains do not count
+  /// it by flights, since they began.
   [[nodiscard]] double present_losses() const;
   void leave_out_present_losses();
   void start();

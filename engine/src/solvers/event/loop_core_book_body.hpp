@@ -6,13 +6,11 @@
 
 namespace carom::event {
 
-// In domains nothing but drag loses energy where it acts, and without gravity it takes the same
-// part of every ball's, whatever its impacts.
 template <class P>
 double LoopCore<P>::present_losses() const {
   if (!motion().loses_in_flight()) return 0;
   if constexpr (kShares) {
-    if (domains_ && effects_.drag) {
+    if (domains_ && motion().rules().only_drag_takes()) {
       const double epochs = now_.epoch - domains_began_.epoch;
       const double seconds = scale_.seconds(now_.ticks) - scale_.seconds(domains_began_.ticks) +
                              epochs * scale_.seconds(P::Clock::epoch());

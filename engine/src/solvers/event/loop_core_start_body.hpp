@@ -135,12 +135,14 @@ void LoopCore<P>::start() {
       domains_->set_workers(workers_);
       domains_->reset(disks, now_.ticks, effects_.friction ? spins_ : std::vector<S>{}, left_);
       flights_.clear();
-      if (effects_.drag) {
+      domains_began_ = now_;
+      if (rules.only_drag_takes()) {
         std::vector<Ball> balls = balls_;
         read_balls(balls);
         domains_energy_ = kinetic_energy(Balls(balls));
+      } else {
+        leave_out_present_losses();
       }
-      domains_began_ = now_;
       return;
     }
   }

@@ -39,6 +39,11 @@ struct BasicRules {
   [[nodiscard]] bool falls_round(std::size_t axis) const {
     return gravity[axis] != 0 && domain.period[axis] > 0;
   }
+  /// Drag is all that changes the energy: it takes the same part of every ball's in a time,
+  /// whatever its impacts.
+  [[nodiscard]] bool only_drag_takes() const {
+    return drag_rate > 0 && !falls && !spins && restitution == 1 && wall_restitution == 1;
+  }
 };
 
 /// Friction takes from the bounces along one wall when the ball hits another that gravity presses

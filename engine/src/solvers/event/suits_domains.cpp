@@ -17,10 +17,8 @@ bool suits_domains(const Effects& effects, const Domain& domain, const std::vect
                    bool rests, const Sharing& sharing, std::size_t workers) {
   const std::size_t least = workers > 1 ? workers * sharing.balls_of_worker : 0;
   if (balls.size() < std::max(least, sharing.least_balls)) return false;
-  const bool fixed =
-      std::any_of(balls.begin(), balls.end(), [](const Ball& ball) { return ball.fixed; });
   const std::array<bool, 2> periodic{domain.period[0] > 0, domain.period[1] > 0};
-  if (!domains_suit(effects, periodic, fixed, rests)) return false;
+  if (!domains_suit(effects, periodic, rests)) return false;
   const double least_period = std::min(periodic[0] ? domain.period[0] : HUGE_VAL,
                                        periodic[1] ? domain.period[1] : HUGE_VAL);
   return std::none_of(balls.begin(), balls.end(),

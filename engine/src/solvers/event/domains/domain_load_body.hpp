@@ -23,6 +23,7 @@ DomainLoop<P>::DomainLoop(const Motion<P>& motion, double normal_radius)
       bends_(motion.bends()),
       walls_(motion.box().solid(0) || motion.box().solid(1)),
       contacts_last_(motion.contacts_last()),
+      books_flights_(motion.loses_in_flight() && !motion.rules().only_drag_takes()),
       approach_({0, 0}, 1, nullptr, 0) {
   smallest_radius_ = never<double>();
   for (const auto& species : motion.rules().all_species) {
@@ -45,6 +46,8 @@ void DomainLoop<P>::begin(const DomainWindow& window, const Memory& memory) {
   end_ = seconds(window.until);
   bend_per_square_ = std::hypot(pull_[0], pull_[1]);
   bend_ = bend_per_square_ * end_ * end_ / 4;
+  // Seen in straightened time it falls faster at the end.
+  if constexpr (P::Law::kStretches) bend_ *= std::exp(2 * motion_.law().rate * end_);
   skin_square_ = window.skin * window.skin * (1 - 0x1p-20);
   near_ = 2 * window.skin * (1 + 0x1p-20);
   loading_.clear();

@@ -197,6 +197,8 @@ class DomainLoop {
   [[nodiscard]] bool sticks(Slot i, Slot j, FixedTime now) const;
   /// Whether the flight that has just begun is one that a wall supports.
   [[nodiscard]] bool rests_on_wall(Slot i) const;
+  [[nodiscard]] bool rests_on_fixed(Slot i, Slot fixed) const;
+  void end_flight(Slot i, FixedTime now);
   void fly_on(Slot i, FixedTime now);
   [[nodiscard]] Vec<double> ahead(const Vec<double>& v) const;
   void choose_circle(Slot i, FixedTime now);
@@ -225,6 +227,7 @@ class DomainLoop {
   bool bends_;
   bool walls_;
   bool contacts_last_;           ///< gravity presses balls together that may come to rest
+  bool books_flights_;           ///< what drag takes from a flight is counted when it ends
   bool falls_on_fixed_ = false;  ///< gravity acts, and some balls are fixed
   bool mixed_ = false;
   bool tracked_ = false;  ///< there may be a halo

@@ -66,6 +66,7 @@ template <class P>
     renew(i, now);
     return;
   }
+  end_flight(i, now);
   if (partner == kCarry) {
     motion_.carry(flights_[i], now);
   } else {
@@ -98,6 +99,23 @@ template <class P>
   return motion_.support(disk) != 0;
 }
 
+template <class P>
+[[gnu::noinline]] bool DomainLoop<P>::rests_on_fixed(Slot i, Slot fixed) const {
+  Disk disk = flights_[i].disk();
+  (void)motion_.support_on_fixed_disk(disk, flights_[fixed].disk());
+  return motion_.support(disk) != 0;
+}
+
+// What drag has taken from it is counted where the ball is owned.
+template <class P>
+[[gnu::always_inline]] inline void DomainLoop<P>::end_flight(Slot i, FixedTime now) {
+  if constexpr (P::Law::kStretches) {
+    if (!books_flights_ || !sides_[i].own || sides_[i].fixed) return;
+    const double lost = motion_.flight_loss(flights_[i].disk(), spin_of(i), now);
+    if (lost != 0) tally_.lost.push_back(lost);
+  }
+}
+
 // An impact counts where its balls are owned; the energy it takes, where the one of the lower
 // number is.
 template <class P>
@@ -113,10 +131,14 @@ template <class P>
   const bool clusters = motion_.clusters();
   if (clusters && moves && motion_.collapses(flights_[i], flights_[j], now)) unusual_ = true;
   if (contacts_last_ && sticks(i, j, now)) unusual_ = true;
+  end_flight(i, now);
+  end_flight(j, now);
   const typename Motion<P>::Strike strike =
       motion_.strike(flights_[i], spin_of(i), flights_[j], spin_of(j), now);
   if (clusters && motion_.stay_together(flights_[i], flights_[j])) unusual_ = true;
-  if (contacts_last_ && (rests_on_wall(i) || rests_on_wall(j))) unusual_ = true;
+  if (contacts_last_ && (rests_on_wall(i) || (moves ? rests_on_wall(j) : rests_on_fixed(i, j)))) {
+    unusual_ = true;
+  }
   if (falls_on_fixed_) {
     lefts_[i] = moves ? kUnknown : flights_[j].ball;
     if (moves) lefts_[j] = kUnknown;

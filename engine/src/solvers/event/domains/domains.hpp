@@ -88,7 +88,8 @@ class Domains {
   [[nodiscard]] const Motion<P>& motion() const { return *motion_; }
   [[nodiscard]] Counts counts() const;
   [[nodiscard]] Costs costs() const;
-  /// The energy that impacts have taken since `reset`; nothing of what drag takes.
+  /// The energy that impacts have taken since `reset`, and drag from flights that are over; nothing
+  /// where only drag takes any.
   [[nodiscard]] std::vector<double> losses() const;
   /// Windows are so often none for domains that another way is faster, or a ball has come to rest,
   /// which only the other ways go on with.

@@ -205,8 +205,7 @@ void Domains<P>::solve_by_one_loop() {
   }
   if (!spins_.empty()) next_spins_ = loop.spins();
   counts_ += loop.counts();
-  // What drag takes follows from the time alone, and nothing else loses energy beside it.
-  if (motion_->rules().drag_rate > 0) return;
+  if (motion_->rules().only_drag_takes()) return;
   for (const double lost : loop.take_lost()) lost_.add(lost);
 }
 
