@@ -37,8 +37,10 @@ namespace carom::event {
 /// farther than their owners' `displacement`.  So at the start the other was no farther from what
 /// the domain owns than those two displacements and the radii: `check` made sure that all balls so
 /// near were loaded, followed to the end of the window, and did the same there as at their owners.
-/// So the domain had the true flights of both up to T, and both in its lists: it had the ball do
-/// the true thing, against the assumption.  What shares an instant is not done by domains at all.
+/// So the domain had the true flights of both up to T, and both in its lists.  Nor did it have the
+/// ball meet another that was not truly there: that one would have come from so near, by its
+/// displacement in the domain, and been found to differ.  So it had the ball do the true thing,
+/// against the assumption.  What shares an instant is not done by domains at all.
 /// Halos, windows and domains do not matter for the result: they decide what it costs.
 ///
 /// A window in which impacts share an instant and a ball is solved by one EventLoop of all balls,
@@ -110,6 +112,7 @@ class Domains {
     std::uint64_t history;
     Index memory;
     float distance;
+    float displacement;
     bool followed;
   };
   /// What lasts of a domain in the window.

@@ -125,26 +125,27 @@ void Domains<P>::keep(Region& region, DomainLoop<P>& domain) {
   region.tally = domain.tally();
   for (std::size_t k = 0; k < domain.size(); ++k) {
     const Index memory = domain.memory(k);
+    const Vec<double> at = alone() ? Vec<double>{} : domain.last_place(k);
     if (domain.owns(k)) {
       const BlockFlight& flight = domain.flight(k);
       next_[memory] = flight;
       if (!spins_.empty()) next_spins_[memory] = *domain.spin(k);
       if (!lefts_.empty()) next_lefts_[memory] = domain.left(k);
       if (alone()) continue;
-      const Vec<double> at = domain.last_place(k);
       const std::array<double, 2>& middle = domain.window().middle;
       sort_.set_block(memory, blocks_->at(middle[0] + at.x, middle[1] + at.y));
       outcomes_[memory] = {domain.history(k), domain.displacement(k, at)};
       region.displacement = std::max(region.displacement, outcomes_[memory].displacement);
       region.radius = std::max(region.radius, motion_->species(flight).radius);
     } else {
-      region.ghosts.push_back({domain.history(k), memory, domain.distance(k), domain.followed(k)});
+      region.ghosts.push_back({domain.history(k), memory, domain.distance(k),
+                               domain.displacement(k, at), domain.followed(k)});
     }
   }
 }
 
-// Whether a ball that may have come near to those of the domain did something else than its owner
-// has it do.
+// Whether a ball that may have come near to those of the domain, here or at its owner, did
+// something else than its owner has it do.
 template <class P>
 void Domains<P>::check(Region& region) const {
   region.differs = false;
@@ -152,7 +153,7 @@ void Domains<P>::check(Region& region) const {
                                        halo_width_.slack());
   for (const Ghost& ghost : region.ghosts) {
     const Outcome& outcome = outcomes_[ghost.memory];
-    if (ghost.distance > near + outcome.displacement) continue;
+    if (ghost.distance > near + std::max(outcome.displacement, ghost.displacement)) continue;
     if (ghost.followed && ghost.history == outcome.history) continue;
     region.differs = true;
     return;
