@@ -16,10 +16,14 @@
 
 namespace carom::event {
 
-/// When balls are solved in domains of the plane.
+/// By which way several balls are solved; no result depends on it.
 struct Sharing {
+  // In domains of the plane:
   std::size_t least_balls = 200;      ///< with fewer balls they are not,
-  std::size_t balls_of_worker = 250;  ///< nor with fewer for each of several workers
+  std::size_t balls_of_worker = 250;  ///< nor with fewer for each of several workers.
+  /// So many balls of which some may come to rest in heaps are solved by one event loop, whose
+  /// islands several workers share.
+  std::size_t balls_of_one_loop = 1500;
 };
 
 /// What a core starts from.

@@ -79,6 +79,23 @@ class EventLoop {
              const std::vector<S>& spins = {});
   /// Everything up to `until` has happened then.
   void advance_to(At until);
+  // The same, where several workers solve the islands of a step:
+  //
+  //     while (loop.advance_to_step(until)) {
+  //       loop.begin_step();
+  //       each k below loop.islands() once, by any worker: loop.solve_island(k);
+  //       loop.end_step();
+  //     }
+  /// Gives whether a step is due, before which all has happened; else all up to `until` has.
+  [[nodiscard]] bool advance_to_step(At until);
+  void begin_step();
+  [[nodiscard]] std::size_t islands() const { return stepped_.size(); }
+  /// So many contacts are in the island.
+  [[nodiscard]] std::size_t contacts(std::size_t island) const {
+    return stepped_[island].found.contacts.size();
+  }
+  void solve_island(std::size_t k);
+  void end_step();
   /// Counts time from `by` ticks later on; nothing else changes.
   void rebase(At by);
 
@@ -175,11 +192,17 @@ class EventLoop {
   [[nodiscard]] bool is_hit_of_island(Index i, Index partner, At now) const;
   /// `hits`: balls that meet something at the present instant, those of one group together.
   void hit_islands(const std::vector<std::vector<Index>>& hits, At now);
-  void step_islands(At now);
   /// Counts, books and notes what has happened to an island, which flies on.
   void take_on(const FoundIsland& island, const IslandChange& change, At now);
   /// Every member begins the flight that `island` says, by its `support`.  Gives what was lost.
   double fly_on(const FoundIsland& island, At now);
+
+  /// An island that is stepped now.
+  struct Stepped {
+    FoundIsland found;
+    IslandChange change;
+    double seconds = 0;
+  };
 
   std::shared_ptr<const Motion<P>> shared_motion_;
   const Motion<P>& motion_ = *shared_motion_;
@@ -217,6 +240,8 @@ class EventLoop {
   IslandImpulses<P> island_impulses_{motion_, jam_watch_.level()};
   IslandImpact<P> island_impact_{motion_, disks_, island_impulses_};
   IslandStepping<P> island_stepping_{motion_, disks_, island_impulses_};
+  std::vector<Stepped> stepped_;
+  Time step_time_ = 0;  ///< of these
 };
 
 }  // namespace carom::event

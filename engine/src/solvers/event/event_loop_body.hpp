@@ -83,6 +83,15 @@ auto EventLoop<P>::first_event(At until) -> const Entry* {
 
 template <class P>
 void EventLoop<P>::advance_to(At until) {
+  while (advance_to_step(until)) {
+    begin_step();
+    for (std::size_t k = 0; k < stepped_.size(); ++k) solve_island(k);
+    end_step();
+  }
+}
+
+template <class P>
+bool EventLoop<P>::advance_to_step(At until) {
   for (;;) {
     const Time at = std::min(step_clock_.next(), Time(until));
     const Entry* next = first_event(at);
@@ -96,13 +105,13 @@ void EventLoop<P>::advance_to(At until) {
       schedule_.drop_first();
       take(entry);
     } else if (step_clock_.next() <= until) {
-      step_clock_.take();
-      step_islands(at);
+      return true;
     } else {
       break;
     }
   }
   notes_.keep_slides();
+  return false;
 }
 
 // Asks for the memory that the events of the next buckets will look at, in the order in which one

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -23,7 +24,9 @@ namespace carom::event {
 ///     pair_computation    only with collisions
 ///     pair_resolution     only with collisions
 ///
-/// With one event loop worker 0 does the last of them and the others wait.
+/// With one event loop worker 0 does the last of them while the others wait, up to a step of
+/// contact islands that is worth sharing; in pair_computation each worker then solves some of
+/// these.
 template <class P>
 class LoopCore final : public Core {
  public:
@@ -86,7 +89,9 @@ class LoopCore final : public Core {
   [[nodiscard]] const Motion<P>& motion() const;
   [[nodiscard]] Counts counts() const;
   [[nodiscard]] Costs costs() const;
+  /// Up to the target, or to a step whose islands are to be solved by all workers.
   void advance();
+  [[nodiscard]] bool shares_step() const;
   void land();
   /// Notes that a ball at rest, with its number from now on, moves again.
   void tell_wake(std::size_t ball, const Disk& disk);
@@ -114,6 +119,8 @@ class LoopCore final : public Core {
   typename P::Clock scale_;
   Sharing sharing_;
   bool no_domains_ = false;                    // they did not get on
+  bool stepping_ = false;                      // islands are solved by all workers,
+  std::atomic<std::size_t> taken_{0};          // so many of them so far
   std::unique_ptr<EventLoop<P>> loop_;         // all balls,
   std::unique_ptr<Domains<P>> domains_;        // or those of domains,
   std::unique_ptr<ConflictGroups<P>> groups_;  // or those that meet

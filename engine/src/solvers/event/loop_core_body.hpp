@@ -10,7 +10,8 @@
 
 namespace carom::event {
 
-inline constexpr std::uint64_t kSortAfter = 100;  // impacts of each ball
+inline constexpr std::uint64_t kSortAfter = 100;      // impacts of each ball
+inline constexpr std::size_t kContactsToShare = 100;  // beside those of the largest island
 
 /// A saved run goes on by its own clock, also where all its balls are gone and others are to come.
 inline bool keeps_its_clock(const Continuation& from, const std::vector<Ball>& balls) {
@@ -72,6 +73,8 @@ void LoopCore<P>::work(std::size_t phase, Share share) {
   }
   if (groups_) {
     groups_->work(phase, share);
+  } else if (stepping_ && phase == ConflictGroups<P>::kPairs) {
+    for (std::size_t k = taken_++; k < loop_->islands(); k = taken_++) loop_->solve_island(k);
   } else if (share.index == 0) {
     advance();
   }
@@ -82,7 +85,10 @@ std::size_t LoopCore<P>::finish_phase(std::size_t phase) {
   if constexpr (kShares) {
     if (domains_) return finish_domains(phase);
   }
-  return groups_ ? finish_way(*groups_, phase) : Phase::kFrameDone;
+  if (groups_) return finish_way(*groups_, phase);
+  if (!stepping_) return Phase::kFrameDone;
+  return phase == ConflictGroups<P>::kPairs ? ConflictGroups<P>::kResolve
+                                            : ConflictGroups<P>::kPairs;
 }
 
 template <class P>
@@ -156,15 +162,39 @@ std::size_t LoopCore<P>::finish_domains(std::size_t phase) requires kShares {
 
 template <class P>
 void LoopCore<P>::advance() {
-  while (now_.epoch < target_.epoch) {
-    loop_->advance_to(P::Clock::epoch());
+  if (std::exchange(stepping_, false)) loop_->end_step();
+  for (;;) {
+    const bool last = now_.epoch == target_.epoch;
+    while (loop_->advance_to_step(last ? target_.ticks : P::Clock::epoch())) {
+      loop_->begin_step();
+      if (shares_step()) {
+        stepping_ = true;
+        taken_ = 0;
+        return;
+      }
+      for (std::size_t k = 0; k < loop_->islands(); ++k) loop_->solve_island(k);
+      loop_->end_step();
+    }
+    if (last) break;
     collect_log();
     loop_->rebase(P::Clock::epoch());
     now_ = {now_.epoch + 1, 0};
   }
-  loop_->advance_to(target_.ticks);
   now_ = target_;
   sort_again();
+}
+
+// To meet the other workers twice costs what some dozens of contacts do.
+template <class P>
+bool LoopCore<P>::shares_step() const {
+  if (workers_ == 1 || !effects_.collisions) return false;
+  std::size_t all = 0;
+  std::size_t most = 0;
+  for (std::size_t k = 0; k < loop_->islands(); ++k) {
+    all += loop_->contacts(k);
+    most = std::max(most, loop_->contacts(k));
+  }
+  return all - most > kContactsToShare;
 }
 
 template <class P>
@@ -188,7 +218,10 @@ auto LoopCore<P>::choose_way() const -> Way {
   if (may_use_domains()) return Way::domains;
   // Where nothing takes energy and balls touch, one event loop sees what jams.
   const bool jams = rests_ && !loses_energy(effects_) && !effects_.drag;
-  return workers_ > 1 && !jams ? Way::groups : Way::loop;
+  if (workers_ == 1 || jams) return Way::loop;
+  // A heap would be solved again in every window, and for each ball that falls on it.
+  const bool heaps = rests_ && effects_.gravity && balls_.size() >= sharing_.balls_of_one_loop;
+  return heaps ? Way::loop : Way::groups;
 }
 
 }  // namespace carom::event

@@ -49,24 +49,48 @@ void EventLoop<P>::hit_islands(const std::vector<std::vector<Index>>& hits, At n
 }
 
 template <class P>
-void EventLoop<P>::step_islands(At now) {
+void EventLoop<P>::begin_step() {
   const Stopwatch stopwatch(true, costs_.island_seconds());
+  step_time_ = step_clock_.next();
+  step_clock_.take();
   std::vector<Index> all;
   for (Index i = 0; i < disks_.size(); ++i) {
     if (!motion_.fixed(disks_[i]) && motion_.support(disks_[i]) >= kStepped) all.push_back(i);
   }
-  const Time span = P::Clock::span(1, motion_.step_shift());
-  const double way = motion_.stepped_way(motion_.rules().scale.seconds(span));
-  resolutions_.begin();
-  for (FoundIsland& island : island_search_.of_step(all, now, Time(now + span))) {
-    const bool hit = std::any_of(island.near.begin(), island.near.end(),
-                                 [](const auto& near) { return near.comes; });
-    take_on(island,
-            hit ? island_impact_.resolve(island, way, now, true) : island_stepping_.step(island),
-            now);
+  const Time next = step_time_ + P::Clock::span(1, motion_.step_shift());
+  stepped_.clear();
+  for (FoundIsland& island : island_search_.of_step(all, step_time_, next)) {
+    stepped_.push_back({std::move(island), {}, 0});
   }
+}
+
+// It reads the flights, and changes nothing but the island.
+template <class P>
+void EventLoop<P>::solve_island(std::size_t k) {
+  auto& [island, change, seconds] = stepped_[k];
+  const Stopwatch stopwatch(true, seconds);
+  const bool hit = std::any_of(island.near.begin(), island.near.end(),
+                               [](const auto& near) { return near.comes; });
+  if (hit) {
+    const Time span = P::Clock::span(1, motion_.step_shift());
+    const double way = motion_.stepped_way(motion_.rules().scale.seconds(span));
+    change = island_impact_.resolve(island, way, step_time_, true);
+  } else {
+    change = island_stepping_.step(island);
+  }
+}
+
+template <class P>
+void EventLoop<P>::end_step() {
+  const Stopwatch stopwatch(true, costs_.island_seconds());
+  resolutions_.begin();
+  for (const Stepped& island : stepped_) {
+    costs_.island_seconds() += island.seconds;
+    take_on(island.found, island.change, step_time_);
+  }
+  stepped_.clear();
   begin_simultaneous();  // what comes now takes no step back
-  predict_changed(now);
+  predict_changed(step_time_);
 }
 
 template <class P>

@@ -1,0 +1,105 @@
+// One event loop whose contact islands several workers solve: the bits and counts of one worker.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "carom/crew.hpp"
+#include "carom/scene.hpp"
+#include "solvers/event/solver.hpp"
+
+namespace carom::event_islands_test {
+namespace {
+
+constexpr int kPits = 5;
+
+/// Balls fall into pits between columns of fixed balls and become a heap in each.
+Scene pits(double friction) {
+  constexpr double kWidth = 4;
+  constexpr double kThin = 0.2;
+  Scene scene;
+  scene.box.width = kPits * kWidth;
+  scene.box.height = 30;
+  scene.effects.walls = Walls{0.4};
+  scene.effects.collisions = Collisions{0.5};
+  scene.effects.gravity = Gravity{};
+  if (friction > 0) scene.effects.friction = Friction{friction, friction};
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> off(-0.04, 0.04);
+  for (int pit = 0; pit < kPits; ++pit) {
+    for (int k = 0; k < 40; ++k) {
+      Ball ball;
+      ball.radius = 0.3;
+      ball.mass = 0.36;
+      ball.position = {pit * kWidth + 0.7 + 0.65 * (k % 5) + off(random), 1 + 0.7 * (k / 5)};
+      ball.velocity = {off(random), off(random)};
+      scene.balls.push_back(ball);
+    }
+    for (int k = 0; pit > 0 && k < 15; ++k) {
+      Ball ball;
+      ball.radius = kThin;
+      ball.position = {pit * kWidth, kThin + 2 * kThin * k};
+      ball.fixed = true;
+      scene.balls.push_back(ball);
+    }
+  }
+  return scene;
+}
+
+struct Outcome {
+  std::string state_hash;
+  std::uint64_t ball_ball = 0;
+  std::uint64_t ball_wall = 0;
+  std::uint64_t joint_impacts = 0;
+  std::uint64_t resting_contacts = 0;
+  double max_overlap = 0;
+  double dissipated = 0;
+
+  bool operator==(const Outcome&) const = default;
+};
+
+/// `shared`: how often a worker has begun a phase in which islands are shared.
+Outcome run(Scene scene, std::size_t workers, double frame_rate, int* shared = nullptr) {
+  constexpr double kTime = 1;
+  event::Sharing one_loop;
+  one_loop.least_balls = static_cast<std::size_t>(-1);
+  one_loop.balls_of_one_loop = 0;
+  scene.workers = workers;
+  EventSolver solver(scene, scene.balls, one_loop);
+  std::vector<Phase> phases = solver.phases();
+  std::atomic<int> begun{0};
+  phases[1].work = [&begun, work = phases[1].work](Share share) {
+    ++begun;
+    work(share);
+  };
+  Crew crew(workers, phases);
+  for (int frame = 1; frame <= kTime * frame_rate; ++frame) {
+    const std::size_t first = solver.aim(frame / frame_rate);
+    if (first != Phase::kFrameDone) crew.do_frame(first);
+  }
+  if (shared != nullptr) *shared = begun;
+  Measurements measured;
+  solver.count(measured);
+  return {solver.state_hash(),    measured.ball_ball,        measured.ball_wall,
+          measured.joint_impacts, measured.resting_contacts, measured.max_overlap,
+          solver.dissipated()};
+}
+
+TEST(EventIslands, OfOneStepAreSolvedByAnyNumberOfWorkersWithTheSameBits) {
+  const Scene scene = pits(0.3);
+  int shared = 0;
+  const Outcome expected = run(scene, 1, 30, &shared);
+  EXPECT_EQ(shared, 0);
+  EXPECT_GT(expected.resting_contacts, 5U);
+  for (const std::size_t workers : {2, 3, 7}) {
+    EXPECT_EQ(run(scene, workers, 30, &shared), expected) << workers << " workers";
+    EXPECT_GT(shared, 50) << workers << " workers";
+  }
+  EXPECT_EQ(run(scene, 2, 7), expected) << "long frames";
+}
+
+}  // namespace
+}  // namespace carom::event_islands_test
