@@ -114,16 +114,22 @@ void measure(std::size_t n, double packing, std::size_t workers, double time_lim
                       [&domains, k] { return domains.finish(k); }});
   }
   carom::Crew crew(workers, std::move(phases));
-  const auto go_to = [&](FixedTime until) {
-    const std::size_t first = domains.aim(until);
-    if (first != carom::Phase::kFrameDone) crew.do_frame(first);
+  // In pieces, as time is counted from 0 again and again.
+  const auto go_on = [&](double seconds) {
+    const double longest = scale.seconds(FixedTimeClock::epoch() / 2);
+    for (; seconds > 0; seconds -= longest) {
+      if (domains.now() >= FixedTimeClock::epoch()) domains.rebase(FixedTimeClock::epoch());
+      const std::size_t first =
+          domains.aim(domains.now() + scale.ticks(std::min(seconds, longest)));
+      if (first != carom::Phase::kFrameDone) crew.do_frame(first);
+    }
   };
   PlainGas plain(gas.side, gas.balls);
 
   const auto balls = static_cast<double>(n);
   const double slice = std::max(2 * balls, 20000.0) / gas.rate;
   double now = std::max(4 * balls, 100000.0) / gas.rate;  // until it has forgotten its lattice
-  go_to(scale.ticks(now));
+  go_on(now);
   plain.advance_to(now);
   Slices ours;
   Slices wall;
@@ -134,7 +140,7 @@ void measure(std::size_t n, double packing, std::size_t workers, double time_lim
     const std::uint64_t before = domains.counts().ball_ball;
     const double from = processor_seconds();
     const double from_wall = wall_seconds();
-    go_to(scale.ticks(now));
+    go_on(slice);
     const std::uint64_t hits = domains.counts().ball_ball - before;
     ours.add(processor_seconds() - from, hits);
     wall.add(wall_seconds() - from_wall, hits);
