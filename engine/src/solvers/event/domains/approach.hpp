@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -49,9 +50,12 @@ class Approach {
   }
 
   // Lanes by reference: by value and not inlined, GCC 12 leaves some on the stack at every turn.
-  /// Lower bounds for four others; infinite where they do not meet after `now`.
+  /// Lower bounds for four others; infinite where they do not meet after `now`, or are not asked
+  /// for.
   [[nodiscard, gnu::always_inline]] Lanes bounds(const Seer& me, const Path* paths,
-                                                 const Slot* others, const Lanes& now) const {
+                                                 const Slot* others, const Lanes& now,
+                                                 const WholeLanes& asked = all(std::int64_t{
+                                                     -1})) const {
     const auto xy = [paths](Slot k) { return TwoLanes{paths[k].x, paths[k].y}; };
     const auto v = [paths](Slot k) { return TwoLanes{paths[k].vx, paths[k].vy}; };
     const Slot a = others[0];
@@ -82,8 +86,9 @@ class Approach {
     const Lanes time = (-along - square_root(discriminant)) * (all(1.0) / square);
     // They still come nearer, or all but.
     const Lanes nearer = fused(square, now, along) - slack_ * (absolute(ux) + absolute(uy));
-    return ((discriminant > zero) & (nearer < zero)) ? time
-                                                     : all(std::numeric_limits<double>::infinity());
+    return ((discriminant > zero) & (nearer < zero) & asked)
+               ? time
+               : all(std::numeric_limits<double>::infinity());
   }
 
   /// The least of the bounds of many, whose it is, and the least of the others.
@@ -96,20 +101,24 @@ class Approach {
   [[nodiscard, gnu::always_inline]] Earliest earliest(const Seer& me, const Path* paths,
                                                       const Slot* others, std::uint32_t count,
                                                       const Lanes& now) const {
-    const Lanes never = all(std::numeric_limits<double>::infinity());
-    const Lanes numbers{0, 1, 2, 3};
-    const auto group = [&](std::uint32_t k, const Lanes& numbers_of_group) {
-      const Lanes time = bounds(me, paths, others + k, now);
-      return numbers_of_group < all(static_cast<double>(count)) ? time : never;
-    };
     // Two groups at once: mostly they are all there are.
-    const Lanes early = group(0, numbers);
-    const Lanes late = group(kLanes, Lanes{4, 5, 6, 7});
+    const std::int64_t* const asked = kAsked + kBothGroups - std::min(count, kBothGroups);
+    const Lanes early = bounds(me, paths, others, now, four(asked));
+    const Lanes late = bounds(me, paths, others + kLanes, now, four(asked + kLanes));
     Lanes first = lesser(late, early);
     Lanes second = greater(late, early);
-    WholeLanes groups = late < early ? all(std::int64_t{kLanes}) : WholeLanes{};
-    for (std::uint32_t k = 2 * kLanes; k < count; k += kLanes) {
-      const Lanes time = group(k, numbers + static_cast<double>(k));
+    const WholeLanes is_late = late < early;
+    if (count <= kBothGroups) {
+      const double least_time = least(first);
+      const std::uint32_t lane = lane_of(first, least_time);
+      const std::uint32_t at = lane + kLanes * (which(is_late) >> lane & 1U);
+      return {least_time, least_but(lane, first, second), others[at]};
+    }
+    const Lanes numbers{0, 1, 2, 3};
+    WholeLanes groups = is_late ? all(std::int64_t{kLanes}) : WholeLanes{};
+    for (std::uint32_t k = kBothGroups; k < count; k += kLanes) {
+      const Lanes time = bounds(me, paths, others + k, now,
+                                numbers + static_cast<double>(k) < all(static_cast<double>(count)));
       second = lesser(second, greater(first, time));
       groups = time < first ? all(std::int64_t{k}) : groups;
       first = lesser(time, first);
@@ -118,12 +127,26 @@ class Approach {
     const std::uint32_t lane = lane_of(first, least_time);
     alignas(32) std::int64_t group_of_lane[kLanes];
     std::memcpy(group_of_lane, &groups, sizeof groups);
-    const Lanes rest = numbers == all(static_cast<double>(lane)) ? second : first;
-    return {least_time, least(lesser(rest, second)),
+    return {least_time, least_but(lane, first, second),
             others[static_cast<std::uint32_t>(group_of_lane[lane]) + lane]};
   }
 
  private:
+  static constexpr std::uint32_t kBothGroups = 2 * kLanes;
+  /// From kBothGroups - n on, for n others of kBothGroups: which of them there are.
+  alignas(64) static constexpr std::int64_t kAsked[2 * kBothGroups] = {-1, -1, -1, -1,
+                                                                       -1, -1, -1, -1};
+  [[gnu::always_inline]] static WholeLanes four(const std::int64_t* from) {
+    WholeLanes lanes;
+    std::memcpy(&lanes, from, sizeof lanes);
+    return lanes;
+  }
+  /// The least of `first`, but for one lane, and of `second` in that lane.
+  [[gnu::always_inline]] static double least_but(std::uint32_t lane, const Lanes& first,
+                                                 const Lanes& second) {
+    const Lanes rest = Lanes{0, 1, 2, 3} == all(static_cast<double>(lane)) ? second : first;
+    return least(lesser(rest, second));
+  }
   [[gnu::always_inline]] static Lanes whole(Lanes a) {
 #if defined(__AVX__) && defined(__FMA__)
     return _mm256_round_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);

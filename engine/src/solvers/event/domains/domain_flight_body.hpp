@@ -39,7 +39,7 @@ template <class P>
     path = {at.x - shift_x, at.y - shift_y, v.x, v.y};
   }
   side.leaves = exit(i, now);
-  predict_exit(i);
+  side.far = !(std::abs(disk.vx) < slow_[0] && std::abs(disk.vy) < slow_[1]);
 }
 
 template <class P>
@@ -138,11 +138,6 @@ template <class P>
            (x - reach > window_.lowest[axis] && x + reach < window_.highest[axis]);
   };
   side.at_wall = !clear(0, side.x) || !clear(1, side.y);
-}
-
-template <class P>
-[[gnu::always_inline]] inline void DomainLoop<P>::predict_exit(Slot i) {
-  sides_[i].far = flies_far(flights_[i], window_.until);
 }
 
 // Seconds until a place at `off` that moves straight at v is `radius` from 0.

@@ -44,6 +44,9 @@ void DomainLoop<P>::begin(const DomainWindow& window, const Memory& memory) {
   falls_on_fixed_ = memory.lefts != nullptr;
   tracked_ = window.halo;
   end_ = seconds(window.until);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    slow_[axis] = (farthest_[axis] / end_ - pull_[axis] * end_) * (1 - 0x1p-20);
+  }
   bend_per_square_ = std::hypot(pull_[0], pull_[1]);
   bend_ = bend_per_square_ * end_ * end_ / 4;
   // Seen in straightened time it falls faster at the end.
@@ -198,7 +201,7 @@ void DomainLoop<P>::sort_into_slots() {
     }
     side.leaves = side.fixed ? never<double>() : exit(static_cast<Slot>(k), window_.from);
     note_walls(static_cast<Slot>(k));
-    predict_exit(static_cast<Slot>(k));
+    side.far = flies_far(flight, window_.until);
   }
 }
 

@@ -148,7 +148,7 @@ class DomainLoop {
     bool far : 1 = false;       ///< its flight may be long enough to start again in the window
     bool at_fixed : 1 = false;  ///< it falls, and a fixed ball is in its list
     bool bounded : 1 = false;   ///< its event is at a lower bound of its time
-    [[nodiscard]] bool exactly() const { return at_wall || far || at_fixed; }
+    [[nodiscard]] bool exactly() const { return (at_wall | far | at_fixed) != 0; }
   };
   static_assert(sizeof(Side) == 32);
   /// What is compared with other domains.
@@ -218,7 +218,6 @@ class DomainLoop {
   void queue(Slot i, FixedTime time);
   [[nodiscard]] FixedTime pair_event(Slot i, Slot j) const;
   [[nodiscard]] bool flies_far(const BlockFlight& flight, FixedTime until) const;
-  void predict_exit(Slot i);
   void note_walls(Slot i);
 
   const Motion<P>& motion_;
@@ -238,6 +237,7 @@ class DomainLoop {
   std::array<double, 2> periods_{};  ///< of the periodic axes
   std::array<double, 2> per_period_{};
   std::array<double, 2> farthest_{};  ///< that a flight may go
+  std::array<double, 2> slow_{};      ///< no flight goes so far that begins slower in the window
   std::array<double, 2> pull_{};      ///< half of what gravity pulls with, either way
   Approach approach_;
   double bend_ = 0;             ///< how far gravity bends a flight in the window
