@@ -72,6 +72,21 @@ TEST(IslandRest, ABallInAWedgeIsHeldByFrictionAtBothWalls) {
   }
 }
 
+// Down the slope it leans on a ball that stands on the floor.
+TEST(IslandRest, WhatLeansOnWhatDoesNotMoveIsHeld) {
+  for (const bool other_moves : {false, true}) {
+    Island pair(2);
+    pair.add_wall(0, 30, 0);
+    pair.add_wall(1, 0, 0);
+    pair.add_wall(1, -90, 0);
+    pair.contacts.push_back({0, 1, {-1, 0}, 0, 0});
+    pair.touches.push_back(1);
+    pair.moves[1] = other_moves ? 1 : 0;
+    EXPECT_EQ(pair.moves_on(), other_moves);
+    EXPECT_EQ(pair.moves[1] != 0, other_moves);
+  }
+}
+
 TEST(IslandRest, OnlyAFewAreAskedAndOnlyIfSomeAreFresh) {
   Island resting(1);
   resting.support[0] = kResting;

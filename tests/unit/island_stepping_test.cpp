@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "contact/rest_rules.hpp"
 #include "solvers/event/islands/island_stepping_body.hpp"
 #include "support/island_balls.hpp"
 
@@ -96,6 +97,77 @@ TEST(IslandStepping, ContactsAreCountedWhenTheyComeToRest) {
   const Stepped after = stepped(balls, 0);
   EXPECT_EQ(after.island.support[1], kResting);
   EXPECT_EQ(after.change.counts.resting_contacts, 0U);
+}
+
+// Six rows of balls from wall to wall, on a floor, and one more that glides along their top.  What
+// stands far from it is asked whether it does only where all are: then a column that nothing holds
+// up falls.
+struct Heap {
+  static constexpr int kColumns = 20;
+  static constexpr int kRows = 6;
+  static constexpr int kHole = 2;  ///< the column whose lowest ball is missing
+  IslandBalls balls{island_rules(0.5, 0.5)};
+
+  explicit Heap(bool hole = true) {
+    for (int row = 0; row < kRows; ++row) {
+      for (int column = 0; column < kColumns; ++column) {
+        if (hole && row == 0 && column == kHole) continue;
+        balls.add(column - 9.5, row - 9.5, 0, 0, kResting);
+      }
+    }
+    balls.add(5.5, kRows - 9.5, 0.25, 0);
+  }
+  [[nodiscard]] Index glides() const { return static_cast<Index>(balls.disks.size() - 1); }
+  Island step(bool whole) {
+    const IslandStepping<Ballistic> stepping(balls.motion, balls.disks, balls.impulses);
+    Island island = balls.around(glides());
+    stepping.step(island, whole);
+    for (std::size_t m = 0; m < island.members.size(); ++m) {
+      Disk& disk = balls.disks[island.members[m]];
+      disk.vx = island.bodies[m].velocity.x;
+      disk.vy = island.bodies[m].velocity.y;
+      balls.motion.set_support(disk, island.support[m]);
+    }
+    return island;
+  }
+  [[nodiscard]] bool falls() const { return balls.disks[kColumns + 1].vy < 0; }
+};
+
+TEST(IslandStepping, WhatStandsFarFromWhatMovesIsAskedAgainWithAll) {
+  Heap heap;
+  for (Disk& disk : heap.balls.disks) {
+    const bool near = disk.x > 2 && disk.y > -7;
+    if (near) heap.balls.motion.set_support(disk, kStepped);
+  }
+  const Island part = heap.step(false);
+  ASSERT_TRUE(is_large(part));
+  EXPECT_FALSE(heap.falls());
+  EXPECT_EQ(heap.balls.disks[heap.glides()].vx, 0.25);
+  EXPECT_NEAR(heap.balls.disks[heap.glides()].vy, 0, 1e-3 * heap.balls.motion.speed_of_step());
+  heap.step(true);
+  EXPECT_TRUE(heap.falls());
+}
+
+TEST(IslandStepping, OnlyWhatIsNearToWhatMovesGoesOnMoving) {
+  Heap heap(false);
+  for (Disk& disk : heap.balls.disks) heap.balls.motion.set_support(disk, kStepped);
+  const Island island = heap.step(true);
+  for (std::size_t m = 0; m < island.members.size(); ++m) {
+    const Vec<double>& at = island.places[m];
+    const double far = std::abs(at.x - 5.5) + (Heap::kRows - 9.5 - at.y);
+    if (far > kMovesAlong + 0.5) {
+      EXPECT_EQ(island.support[m], kResting) << at.x << ' ' << at.y;
+    } else if (far < kMovesAlong + 0.5) {
+      EXPECT_GE(island.support[m], kStepped) << at.x << ' ' << at.y;
+    }
+  }
+}
+
+// Though none of what stands has been told, it feels what comes beside it.
+TEST(IslandStepping, WhatMovesBesideWhatStandsWakesIt) {
+  Heap heap;
+  heap.step(false);
+  EXPECT_TRUE(heap.falls());
 }
 
 }  // namespace

@@ -14,15 +14,15 @@ constexpr int kSlides = 3;
 
 }  // namespace
 
-ConeIsland::ConeIsland(const Bodies& bodies, const Contacts& contacts)
-    : contacts_(contacts), response_(bodies, contacts) {
+ConeIsland::ConeIsland(const Bodies& bodies, const Contacts& contacts, std::size_t few)
+    : contacts_(contacts), few_(few), response_(bodies, contacts) {
   for (Column* column : {&start_, &parting_, &impulses_, &change_}) {
     column->assign(response_.edges(), 0);
   }
 }
 
 void ConeIsland::solve(double goal, bool again) {
-  if (contacts_.size() > kFewContacts &&
+  if (contacts_.size() > few_ &&
       solve_by_interior_point(response_, contacts_, parting_, goal / 2, again, impulses_)) {
     return;
   }

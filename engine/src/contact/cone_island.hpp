@@ -29,7 +29,8 @@ class ConeIsland {
   using Bodies = std::vector<ConeBody>;
   using Contacts = std::vector<ConeContact>;
 
-  ConeIsland(const Bodies& bodies, const Contacts& contacts);
+  /// `few`: so many contacts at most are solved without an order.
+  ConeIsland(const Bodies& bodies, const Contacts& contacts, std::size_t few = kFewContacts);
   ConeIsland(const ConeIsland&) = delete;
   ConeIsland& operator=(const ConeIsland&) = delete;
 
@@ -47,6 +48,7 @@ class ConeIsland {
   void close_slides(double goal, double opens);
 
   const Contacts& contacts_;
+  std::size_t few_;
   ConeResponse response_;
   ConeDescent descent_{response_};
   Column start_, parting_, impulses_, change_;

@@ -63,7 +63,10 @@ namespace carom::event {
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of
 // up to 16 balls: what is pulled, by 2^-22 g, moves on.  A ball on a single fixed one rests only
-// straight above it.  While an island rests it costs nothing.
+// straight above it.  While an island rests it costs nothing.  In an island of more than
+// kFewContacts contacts each ball rests by itself: one that was so slow before the step, too, and
+// from which every faster one is more than two contacts away.  It then stands as walls do, until a
+// faster one comes as near, or one of every eight steps, which asks all, shows that it moves.
 //
 // Rule 5, waking.  An island at rest moves again when a ball that is not of it hits one that is,
 // when one of it is removed, or when gravity is set.
@@ -124,6 +127,13 @@ inline constexpr double kOpens = 0x1p-4;
 /// Rule 4: what forces hold is moved no faster by a step; of so many balls at most that is asked.
 inline constexpr double kHeld = 0x1p-22;
 inline constexpr std::size_t kFewHeld = 16;
+
+/// Rule 4, in an island of more than kFewContacts contacts: what is so near to what moves, in
+/// contacts, does not rest; one of so many steps asks what rests whether it does.
+inline constexpr int kMovesAlong = 2;
+inline constexpr int kAskedAgain = 8;
+/// And so many contacts of what moves are few: they are in order already.
+inline constexpr std::size_t kFewOfPart = 16;
 
 /// Whether two that are r apart are nearer than their contact's distance and this part more of it.
 template <class S>

@@ -194,7 +194,11 @@ class EventLoop {
   void hit_islands(const std::vector<std::vector<Index>>& hits, At now);
   /// Counts, books and notes what has happened to an island, which flies on.
   void take_on(const FoundIsland& island, const IslandChange& change, At now);
-  /// Every member begins the flight that `island` says, by its `support`.  Gives what was lost.
+  [[nodiscard]] bool stands(const Disk& disk, const Vec<S>& at) const {
+    return motion_.support(disk) == kResting && disk.x == at.x && disk.y == at.y;
+  }
+  /// Every member begins the flight that `island` says, by its `support`; in a large one what
+  /// stands as before goes on.  Gives what was lost.
   double fly_on(const FoundIsland& island, At now);
 
   /// An island that is stepped now.

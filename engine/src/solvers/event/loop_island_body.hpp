@@ -76,7 +76,8 @@ void EventLoop<P>::solve_island(std::size_t k) {
     const double way = motion_.stepped_way(motion_.rules().scale.seconds(span));
     change = island_impact_.resolve(island, way, step_time_, true);
   } else {
-    change = island_stepping_.step(island);
+    const auto number = P::Clock::steps(step_time_, motion_.step_shift());
+    change = island_stepping_.step(island, number % kAskedAgain == 0);
   }
 }
 
@@ -109,12 +110,14 @@ void EventLoop<P>::take_on(const FoundIsland& island, const IslandChange& change
 template <class P>
 double EventLoop<P>::fly_on(const FoundIsland& island, At now) {
   bool moves = false;
+  const bool large = !motion_.elastic() && is_large(island);
   for (std::size_t m = 0; m < island.members.size(); ++m) {
     const Index i = island.members[m];
+    Disk& disk = disks_[i];
+    if (large && island.support[m] == kResting && stands(disk, island.places[m])) continue;
     remember(i);
     schedule_.unlink(i);
     schedule_.forget(i);
-    Disk& disk = disks_[i];
     disk.x = island.places[m].x;
     disk.y = island.places[m].y;
     disk.vx = with_plain_zero(island.bodies[m].velocity.x);
@@ -124,6 +127,7 @@ double EventLoop<P>::fly_on(const FoundIsland& island, At now) {
     motion_.set_support(disk, island.support[m]);
     left_[i] = kUnknown;
     moves = moves || island.support[m] == kStepped;
+    changed_.push_back(i);
   }
   // Of several fixed balls that it touches, the one that lies first, by place.
   std::vector<const Vec<S>*> ways(island.members.size(), nullptr);
@@ -140,9 +144,7 @@ double EventLoop<P>::fly_on(const FoundIsland& island, At now) {
   for (std::size_t m = 0; m < island.members.size(); ++m) {
     if (island.support[m] < kResting) supports_.update(island.members[m]);
   }
-  const double lost = book_.keep();
-  changed_.insert(changed_.end(), island.members.begin(), island.members.end());
-  return lost;
+  return book_.keep();
 }
 
 }  // namespace carom::event

@@ -135,7 +135,10 @@ bool Motion<P>::just_fits(const Disk& ball, const Vec<S>& r) const {
 template <class P>
 bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const {
   const bool of_islands = (stepped(a) || fixed(a)) && (stepped(b) || fixed(b));
-  if (!of_islands || (a.start != b.start && !fixed(a) && !fixed(b))) return false;
+  if (!of_islands) return false;
+  // What rests may have done so for long.
+  const auto stays = [this](const Disk& disk) { return fixed(disk) || support(disk) == kResting; };
+  if (a.start != b.start && !stays(a) && !stays(b)) return false;
   const Vec<S> r = way({a.x, a.y}, {b.x, b.y});
   const S reach = species(a).radius + species(b).radius;
   if (!near(r, reach, S(kNear))) return false;

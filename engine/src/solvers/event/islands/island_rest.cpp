@@ -13,8 +13,9 @@
 namespace carom::event {
 
 void hold_still(const IslandMotion& island, const StepScale& step, DisjointSets& sets,
-                const std::vector<char>& carries, std::vector<char>& moves) {
+                const std::vector<char>& presses, std::vector<char>& moves) {
   const std::size_t n = island.bodies.size();
+  const std::vector<char> moved = moves;
   const auto find = [&sets](std::size_t k) { return sets.find(static_cast<std::uint32_t>(k)); };
   for (std::size_t first = 0; first < n; ++first) {
     if (find(first) != first || moves[first] != 0) continue;
@@ -32,10 +33,17 @@ void hold_still(const IslandMotion& island, const StepScale& step, DisjointSets&
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
       ConeContact contact = island.contacts[k];
       const int a = number[static_cast<std::size_t>(contact.a)];
-      if (a < 0 || (carries[k] == 0 && island.touches[k] == 0)) continue;
-      contact.a = a;
-      if (contact.b != kWall) contact.b = number[static_cast<std::size_t>(contact.b)];
-      if (island.contacts[k].b != kWall && contact.b < 0) continue;
+      if (presses[k] == 0) continue;
+      const int b = contact.b == kWall ? -1 : number[static_cast<std::size_t>(contact.b)];
+      if (a < 0 && b < 0) continue;
+      // What the set leans on and does not move is as a wall.
+      if (contact.b != kWall && (a < 0 || b < 0) &&
+          moved[find(static_cast<std::size_t>(a < 0 ? contact.a : contact.b))] != 0) {
+        continue;
+      }
+      contact.a = a < 0 ? b : a;
+      contact.b = a < 0 || b < 0 ? kWall : b;
+      if (a < 0) contact.normal = -contact.normal;
       contact.gap = 0;
       contacts.push_back(contact);
     }

@@ -19,9 +19,11 @@ struct StepScale {
 };
 
 /// What is slow comes to rest only where forces at its contacts hold it: what is pulled moves on.
-/// Of many balls, which creep until all contacts carry, slowness decides.  `carries`: by contact.
+/// Of many balls, which creep until all contacts carry, slowness decides.  `presses`: by contact:
+/// it closes, and can take a load; what a set leans on, be it little, and does not move is as a
+/// wall.
 void hold_still(const IslandMotion& island, const StepScale& step, DisjointSets& sets,
-                const std::vector<char>& carries, std::vector<char>& moves);
+                const std::vector<char>& presses, std::vector<char>& moves);
 
 /// What is touched by something that moves on and comes nearer moves too.
 void pass_on_motion(const IslandMotion& island, DisjointSets& sets, std::vector<char>& moves);

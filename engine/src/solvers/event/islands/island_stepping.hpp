@@ -28,7 +28,9 @@ class IslandStepping {
                  const IslandImpulses<P>& impulses)
       : motion_(motion), disks_(disks), impulses_(impulses) {}
 
-  IslandChange step(Island& island) const;
+  /// `whole`: what stands in a large island is asked again whether it does; else only where what
+  /// moves comes near to it.
+  IslandChange step(Island& island, bool whole = true) const;
 
  private:
   /// How exactly a step is solved.
@@ -46,8 +48,8 @@ class IslandStepping {
     std::vector<double> loads;  ///< normal impulses, by contact
     std::vector<char> lasts;    ///< by contact: it is one of the step
   };
-  /// Gravity acts, and no contact closes.
-  Pressed press(Island& island, const Scale& scale) const;
+  /// Gravity acts, and no contact closes.  `stands`: by ball: it is held, whatever comes.
+  Pressed press(Island& island, const std::vector<char>& stands, const Scale& scale) const;
 
   /// What carries whom.
   struct Carrying {
@@ -60,13 +62,14 @@ class IslandStepping {
   /// `before`: as the balls moved before the step.
   [[nodiscard]] Carrying carrying(const Island& island, const std::vector<ConeBody>& before,
                                   const Pressed& pressed, const Scale& scale) const;
-  /// By the number of a set: its balls do not come to rest.
-  [[nodiscard]] std::vector<char> moving(const Island& island, Carrying& carrying,
-                                         const Scale& scale) const;
+  /// By ball: it does not come to rest.
+  [[nodiscard]] std::vector<char> moving(const Island& island, const std::vector<ConeBody>& before,
+                                         const Pressed& pressed, Carrying& carrying,
+                                         const std::vector<char>& stands, const Scale& scale) const;
   /// Rest, or not, or leave.  `stays`: by ball.  Gives how many contacts have come to rest.
   std::uint64_t give_support(Island& island, const std::vector<ConeBody>& before,
-                             Carrying& carrying, const std::vector<char>& moves,
-                             const std::vector<char>& stays) const;
+                             const Carrying& carrying, const std::vector<char>& moves,
+                             const std::vector<char>& stands, const std::vector<char>& stays) const;
   /// What walls carry is exactly there; where nothing else touches it, it slides or rolls on along
   /// them, of the island no more, if it does not come to rest.
   void put_on_walls(Island& island, const std::vector<ConeBody>& before, const Carrying& carrying,

@@ -8,6 +8,7 @@
 
 #include "contact/cone_island.hpp"
 #include "contact/rest_rules.hpp"
+#include "solvers/event/islands/island_part.hpp"
 #include "solvers/event/islands/island_rest.hpp"
 #include "solvers/event/islands/island_stepping.hpp"
 #include "solvers/event/islands/put_on_wall.hpp"
@@ -26,22 +27,22 @@ auto IslandStepping<P>::scale() const -> Scale {
 }
 
 template <class P>
-auto IslandStepping<P>::press(Island& island, const Scale& scale) const -> Pressed {
+auto IslandStepping<P>::press(Island& island, const std::vector<char>& stands,
+                              const Scale& scale) const -> Pressed {
   const std::size_t contacts = island.contacts.size();
   Pressed pressed{std::vector<double>(contacts, 0), std::vector<char>(contacts, 0)};
-  std::vector<ConeContact> lasting;
-  std::vector<std::size_t> number;
-  for (std::size_t k = 0; k < contacts; ++k) {
-    if (!impulses_.lasts(island, k)) continue;
-    pressed.lasts[k] = 1;
-    lasting.push_back(island.contacts[k]);
-    number.push_back(k);
-  }
-  for (ConeBody& body : island.bodies) body.velocity = body.velocity + scale.span * scale.pull;
-  ConeIsland whole(island.bodies, lasting);
+  for (std::size_t k = 0; k < contacts; ++k) pressed.lasts[k] = impulses_.lasts(island, k) ? 1 : 0;
+  IslandPart part(island, stands, pressed.lasts);
+  for (ConeBody& body : part.bodies) body.velocity = body.velocity + scale.span * scale.pull;
+  // A part of many is in order as they are.
+  ConeIsland cones(part.bodies, part.contacts,
+                   part.bodies.size() < stands.size() ? kFewOfPart : kFewContacts);
   const std::vector<double> pushes =
-      whole.resolve(island.bodies, 1 / scale.span, scale.goal, impulses_.opens());
-  for (std::size_t k = 0; k < number.size(); ++k) pressed.loads[number[k]] = pushes[k];
+      cones.resolve(part.bodies, 1 / scale.span, scale.goal, impulses_.opens());
+  part.pass_on(island);
+  for (std::size_t k = 0; k < pushes.size(); ++k) {
+    pressed.loads[part.contact_number[k]] = pushes[k];
+  }
   return pressed;
 }
 
@@ -80,21 +81,25 @@ auto IslandStepping<P>::carrying(const Island& island, const std::vector<ConeBod
 }
 
 template <class P>
-std::vector<char> IslandStepping<P>::moving(const Island& island, Carrying& carrying,
+std::vector<char> IslandStepping<P>::moving(const Island& island,
+                                            const std::vector<ConeBody>& before,
+                                            const Pressed& pressed, Carrying& carrying,
+                                            const std::vector<char>& stands,
                                             const Scale& scale) const {
   const std::size_t n = island.members.size();
+  const bool large = !motion_.elastic() && is_large(island);
   const auto find = [&](std::size_t k) {
     return carrying.sets.find(static_cast<std::uint32_t>(k));
   };
   std::vector<char> moves(n, 0);
   for (std::size_t m = 0; m < n; ++m) {
-    const ConeBody& body = island.bodies[m];
+    if (stands[m] != 0) continue;
     // A ball that rests already is not woken by what has not been solved to the end.
-    const double most = island.support[m] == kResting ? 4 * scale.still : scale.still;
-    if (std::abs(body.velocity.x) > most || std::abs(body.velocity.y) > most ||
-        std::abs(body.turning) > most || carrying.loaded[m] == 0) {
-      moves[find(m)] = 1;
-    }
+    const bool rests = island.support[m] == kResting;
+    const double most = rests && !large ? 4 * scale.still : scale.still;
+    // Of many what turns round is slow for a moment.
+    const bool slow = is_slow(island.bodies[m], most) && (!large || is_slow(before[m], most));
+    if (!slow || carrying.loaded[m] == 0) moves[m] = 1;
   }
   // On a single fixed ball it rests only straight above it.
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
@@ -103,28 +108,53 @@ std::vector<char> IslandStepping<P>::moving(const Island& island, Carrying& carr
     if (carrying.carries[k] == 0 || c.b != kWall || island.near[k].partner >= kFirstMark) continue;
     const Vec<double> r = in_double(island.near[k].r);
     const double off = std::abs(cross(r, scale.pull));
-    if (carrying.loaded[a] == 1 && off > 0x1p-40 * std::abs(dot(r, scale.pull))) moves[find(a)] = 1;
+    if (carrying.loaded[a] == 1 && off > 0x1p-40 * std::abs(dot(r, scale.pull))) moves[a] = 1;
   }
-  hold_still(island, {scale.pull, scale.span, scale.speed}, carrying.sets, carrying.carries, moves);
+  std::vector<char> sets_move(n, 0);
+  for (std::size_t m = 0; m < n; ++m) {
+    // What stands belongs to more than is seen here.
+    if (moves[m] != 0 || stands[m] != 0) sets_move[find(m)] = 1;
+  }
+  const std::vector<char> moved = sets_move;
+  std::vector<char> presses(island.contacts.size(), 0);
+  for (std::size_t k = 0; k < presses.size(); ++k) {
+    presses[k] = pressed.loads[k] > 0 || island.touches[k] != 0 ? 1 : 0;
+  }
+  hold_still(island, {scale.pull, scale.span, scale.speed}, carrying.sets, presses, sets_move);
+  if (large) {
+    for (std::size_t m = 0; m < n; ++m) {
+      if (sets_move[find(m)] != moved[find(m)]) moves[m] = 1;
+    }
+    const std::vector<char> fast = moves;
+    spread_motion(island, kMovesAlong, moves);
+    for (std::size_t m = 0; m < n; ++m) {
+      if (fast[m] == 0 && carrying.loaded[m] > 0 && carrying.on_balls[m] == 0) moves[m] = 0;
+    }
+    return moves;
+  }
   // Where energy is lost, what comes nearer to what rests, or leaves, would hit the island at once.
-  if (!motion_.elastic()) pass_on_motion(island, carrying.sets, moves);
+  if (!motion_.elastic()) pass_on_motion(island, carrying.sets, sets_move);
+  for (std::size_t m = 0; m < n; ++m) moves[m] = sets_move[find(m)];
   return moves;
 }
 
 template <class P>
 std::uint64_t IslandStepping<P>::give_support(Island& island, const std::vector<ConeBody>& before,
-                                              Carrying& carrying, const std::vector<char>& moves,
+                                              const Carrying& carrying,
+                                              const std::vector<char>& moves,
+                                              const std::vector<char>& stands,
                                               const std::vector<char>& stays) const {
   const std::size_t n = island.members.size();
   std::vector<char> newly(n, 0);
   for (std::size_t m = 0; m < n; ++m) {
     ConeBody& body = island.bodies[m];
-    if (moves[carrying.sets.find(static_cast<std::uint32_t>(m))] == 0) {
+    if (moves[m] == 0) {
       newly[m] = island.support[m] != kResting ? 1 : 0;
       island.support[m] = kResting;
       body.velocity = {0, 0};
       body.turning = 0;
-    } else if (carrying.loaded[m] == 0 && carrying.approaches[m] == 0 && stays[m] == 0) {
+    } else if (stands[m] == 0 && carrying.loaded[m] == 0 && carrying.approaches[m] == 0 &&
+               stays[m] == 0) {
       island.support[m] = 0;
       body = before[m];
     } else {
@@ -172,19 +202,30 @@ void IslandStepping<P>::put_on_walls(Island& island, const std::vector<ConeBody>
 }
 
 template <class P>
-IslandChange IslandStepping<P>::step(Island& island) const {
+IslandChange IslandStepping<P>::step(Island& island, bool whole) const {
   IslandChange change;
   change.counts.steps = 1;
   const Scale scale = this->scale();
   const std::vector<ConeBody> before = island.bodies;
   const SteppedEnergy& energy = impulses_.energy();
   const double had = energy.of(island, 0).all();
-  Pressed pressed = press(island, scale);
+  std::vector<char> stands(before.size(), 0);
+  if (!whole && !motion_.elastic() && is_large(island)) {
+    for (std::size_t m = 0; m < stands.size(); ++m) {
+      stands[m] = island.support[m] == kResting ? 1 : 0;
+    }
+  }
+  Pressed pressed = press(island, stands, scale);
+  if (reaches_standing(island, stands, scale.still)) {
+    island.bodies = before;
+    std::fill(stands.begin(), stands.end(), 0);
+    pressed = press(island, stands, scale);
+  }
   Carrying carrying = this->carrying(island, before, pressed, scale);
-  const std::vector<char> moves = moving(island, carrying, scale);
+  const std::vector<char> moves = moving(island, before, pressed, carrying, stands, scale);
   const std::vector<char> stays =
       motion_.elastic() ? std::vector<char>(before.size(), 0) : met(island, before);
-  change.counts.resting_contacts = give_support(island, before, carrying, moves, stays);
+  change.counts.resting_contacts = give_support(island, before, carrying, moves, stands, stays);
   put_on_walls(island, before, carrying, stays, scale.goal);
   if (energy.keep(island, had, scale.span, impulses_.gives_up())) {
     impulses_.keep_gaps(island, had, scale.span, scale.goal, pressed.loads);
