@@ -153,6 +153,21 @@ Scene falling_with_drag() {
   return scene;
 }
 
+// Each straight above a fixed ball, on which only drag brings it to rest.
+Scene dropping_on_fixed() {
+  Scene scene = falling();
+  scene.effects.gravity = Gravity{{0, -8}};
+  scene.effects.drag = Drag{6};
+  scene.balls.clear();
+  for (int column = 0; column < 12; ++column) {
+    const double x = 1 + 1.5 * column;
+    scene.balls.push_back(Ball{{x, 1}});
+    scene.balls.back().fixed = true;
+    scene.balls.push_back(Ball{{x, 3 + 0.1 * column}});
+  }
+  return scene;
+}
+
 std::vector<Case> cases() {
   return {{"gas", test::gas(36, 40, 0.5), 1},
           {"thin gas", test::gas(36, 40, 0.05), 8},
@@ -169,7 +184,8 @@ std::vector<Case> cases() {
           {"raining, with friction", raining(0.4), 2.5},
           {"raining on fixed balls", raining_on_fixed(0, 0), 2.5},
           {"raining on fixed balls, with friction and drag", raining_on_fixed(0.4, 0.2), 2.5},
-          {"falling with drag", falling_with_drag(), 1.5}};
+          {"falling with drag", falling_with_drag(), 1.5},
+          {"dropping on fixed balls", dropping_on_fixed(), 6}};
 }
 
 TEST(EventDomains, OfAnyNumberOfWorkersGiveTheBitsOfOneEventLoop) {
