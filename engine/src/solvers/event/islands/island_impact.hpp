@@ -47,6 +47,19 @@ class IslandImpact {
   void give_support(Island& island, const IslandHits& hits, double span, bool steps,
                     std::vector<Index>& woken) const;
   void put_on_walls(Island& island) const;
+  /// What an impact is resolved with.
+  struct Try {
+    std::vector<double> parting;  ///< by contact: how fast it is to part
+    double span;
+    bool steps;
+    double goal;   ///< what may remain of speeds that are stopped
+    double opens;  ///< see ConeIsland::resolve
+    double had;    ///< twice the energy of the island before,
+    double kept;   ///< less what jammed groups hold
+  };
+  /// The impact, of which a part bounces.  False: that would make energy.
+  bool bounce(Island& island, const IslandHits& hits, const Try& of, double part,
+              IslandChange& change) const;
   void hold_on(Island& island, double span, double goal, std::vector<double>& loads,
                double opens) const;
 

@@ -13,6 +13,13 @@
 
 namespace carom::event {
 
+// What an impact may make, as a part of the energy, before what bounces in it bounces less: where
+// slowing down others makes up for it, and where that is not enough.
+inline constexpr double kMade = 0x1p-4;
+inline constexpr double kMadeForGood = 0x1p-20;
+// What bounces less bounces half as much, and less than this part not at all.
+inline constexpr double kLeastPart = 0x1p-4;
+
 // A hit of an island whose contacts lose nothing along their normals is a joint impact of all that
 // touches.
 template <class P>
@@ -154,6 +161,37 @@ void IslandImpact<P>::give_support(Island& island, const IslandHits& hits, doubl
   }
 }
 
+// As `hold_on`, with what bounces parting as fast as its contacts ask for, times `part`; no energy
+// is made where that can be mended by slowing down what is stepped.
+template <class P>
+auto IslandImpact<P>::bounce(Island& island, const IslandHits& hits, const Try& of, double part,
+                             IslandChange& change) const -> bool {
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    island.contacts[k].parting = hits.parts[k] != 0 ? part * of.parting[k] : 0;
+  }
+  give_support(island, hits, of.span, of.steps, change.woken);
+  std::vector<double>& loads = change.carried.impulses;
+  loads.assign(island.contacts.size(), 0);
+  hold_on(island, of.span, of.goal, loads, of.opens);
+  put_on_walls(island);
+  for (ConeContact& contact : island.contacts) contact.parting = 0;
+  const SteppedEnergy& energy = impulses_.energy();
+  const auto makes = [&](double most) {
+    const SteppedEnergy::Parts now = energy.of(island, of.span);
+    return now.all() - of.had > most * (now.stepped + now.others);
+  };
+  if (part > 0 && makes(kMade)) return false;
+  if (energy.keep(island, of.kept, of.span, impulses_.gives_up())) {
+    if (motion_.keeps_energy()) {
+      impulses_.keep_gaps(island, of.kept, of.span, of.goal, loads);
+    } else {
+      hold_on(island, of.span, of.goal, loads, of.opens);
+      put_on_walls(island);
+    }
+  }
+  return !(part > 0 && makes(kMadeForGood));
+}
+
 template <class P>
 IslandChange IslandImpact<P>::resolve(Island& island, double span, At now, bool steps) const {
   IslandChange change;
@@ -174,34 +212,34 @@ IslandChange IslandImpact<P>::resolve(Island& island, double span, At now, bool 
                               : kSolved * hits.fastest;
   const double opens = steps ? impulses_.opens() : 0;
   double held = 0;
+  std::vector<double> parting(island.contacts.size(), 0);
   if (elastic) {
     const Reflection reflection = reflect(island, hits);
     counts.jammed = reflection.jammed;
     held = reflection.held;
   } else if (hits.bounces) {
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-      if (hits.parts[k] == 0) continue;
-      island.contacts[k].parting = parting(island, k, hits, span);
+      if (hits.parts[k] != 0) parting[k] = this->parting(island, k, hits, span);
     }
   }
-  give_support(island, hits, span, steps, change.woken);
+  const Try of{std::move(parting), span, steps, goal, opens, had, had - 2 * held};
+  if (elastic || !hits.bounces) {
+    (void)bounce(island, hits, of, 0, change);
+  } else {
+    // In a wedge what parts as fast as it is asked to may take others along faster than there is
+    // energy for.
+    const Island before = island;
+    for (double part = 1; !bounce(island, hits, of, part, change);) {
+      island = before;
+      change.woken.clear();
+      part = part > kLeastPart ? part / 2 : 0;
+    }
+  }
   if (!change.woken.empty()) counts.wakes = 1;
-  std::vector<double> loads(island.contacts.size(), 0);
-  hold_on(island, span, goal, loads, opens);
-  put_on_walls(island);
-  for (ConeContact& contact : island.contacts) contact.parting = 0;
-  const double kept = had - 2 * held;
-  if (energy.keep(island, kept, span, impulses_.gives_up())) {
-    if (motion_.keeps_energy()) {
-      impulses_.keep_gaps(island, kept, span, goal, loads);
-    } else {
-      hold_on(island, span, goal, loads, opens);
-      put_on_walls(island);
-    }
-  }
   const double lost = energy.loss(island, had, span);
   if (!(held > 0) && energy.is_held(island, lost)) ++counts.jammed;
-  change.carried = {std::move(loads), std::move(hits.counted), lost};
+  change.carried.counted = std::move(hits.counted);
+  change.carried.lost = lost;
   return change;
 }
 
