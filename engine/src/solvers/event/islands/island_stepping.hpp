@@ -74,6 +74,8 @@ class IslandStepping {
   /// them, of the island no more, if it does not come to rest.
   void put_on_walls(Island& island, const std::vector<ConeBody>& before, const Carrying& carrying,
                     const std::vector<char>& stays, double goal) const;
+  /// All of them rest where none moved before the step or after it.
+  static void rest_if_stopped(Island& island, const std::vector<ConeBody>& before);
 
   const Motion<P>& motion_;
   const HugeVector<Disk>& disks_;

@@ -201,6 +201,19 @@ void IslandStepping<P>::put_on_walls(Island& island, const std::vector<ConeBody>
   }
 }
 
+// Where nothing moved, and what a step made was all taken as energy that there is not, it was what
+// had been left unsolved: balls that gravity moves gain what they fall.
+template <class P>
+void IslandStepping<P>::rest_if_stopped(Island& island, const std::vector<ConeBody>& before) {
+  const auto still = [](const ConeBody& body) {
+    return body.velocity.x == 0 && body.velocity.y == 0 && body.turning == 0;
+  };
+  for (std::size_t m = 0; m < before.size(); ++m) {
+    if (island.support[m] != kResting && !(still(before[m]) && still(island.bodies[m]))) return;
+  }
+  std::replace(island.support.begin(), island.support.end(), kStepped, kResting);
+}
+
 template <class P>
 IslandChange IslandStepping<P>::step(Island& island, bool whole) const {
   IslandChange change;
@@ -230,6 +243,7 @@ IslandChange IslandStepping<P>::step(Island& island, bool whole) const {
   if (energy.keep(island, had, scale.span, impulses_.gives_up())) {
     impulses_.keep_gaps(island, had, scale.span, scale.goal, pressed.loads);
   }
+  if (!motion_.elastic()) rest_if_stopped(island, before);
   const double lost = energy.loss(island, had, scale.span);
   if (energy.is_held(island, lost)) change.counts.jammed = 1;
   change.carried = {std::move(pressed.loads), std::vector<char>(island.contacts.size(), 0), lost};
