@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <random>
 #include <string>
@@ -61,8 +62,13 @@ struct Outcome {
   bool operator==(const Outcome&) const = default;
 };
 
-/// `shared`: how often a worker has begun a phase in which islands are shared.
-Outcome run(Scene scene, std::size_t workers, double frame_rate, int* shared = nullptr) {
+/// How often a worker has begun a phase.
+struct Begun {
+  int flying = 0;   ///< in which each flies its own balls
+  int sharing = 0;  ///< in which islands or pairs are shared
+};
+
+Outcome run(Scene scene, std::size_t workers, double frame_rate, Begun* counted = nullptr) {
   constexpr double kTime = 1;
   event::Sharing one_loop;
   one_loop.least_balls = static_cast<std::size_t>(-1);
@@ -70,17 +76,19 @@ Outcome run(Scene scene, std::size_t workers, double frame_rate, int* shared = n
   scene.workers = workers;
   EventSolver solver(scene, scene.balls, one_loop);
   std::vector<Phase> phases = solver.phases();
-  std::atomic<int> begun{0};
-  phases[1].work = [&begun, work = phases[1].work](Share share) {
-    ++begun;
-    work(share);
-  };
+  std::array<std::atomic<int>, 2> begun{};
+  for (std::size_t k = 0; k < begun.size(); ++k) {
+    phases[k].work = [&count = begun[k], work = phases[k].work](Share share) {
+      ++count;
+      work(share);
+    };
+  }
   Crew crew(workers, phases);
   for (int frame = 1; frame <= kTime * frame_rate; ++frame) {
     const std::size_t first = solver.aim(frame / frame_rate);
     if (first != Phase::kFrameDone) crew.do_frame(first);
   }
-  if (shared != nullptr) *shared = begun;
+  if (counted != nullptr) *counted = {begun[0], begun[1]};
   Measurements measured;
   solver.count(measured);
   return {solver.state_hash(),    measured.ball_ball,        measured.ball_wall,
@@ -90,15 +98,27 @@ Outcome run(Scene scene, std::size_t workers, double frame_rate, int* shared = n
 
 TEST(EventIslands, OfOneStepAreSolvedByAnyNumberOfWorkersWithTheSameBits) {
   const Scene scene = pits(0.3);
-  int shared = 0;
-  const Outcome expected = run(scene, 1, 30, &shared);
-  EXPECT_EQ(shared, 0);
+  Begun begun;
+  const Outcome expected = run(scene, 1, 30, &begun);
+  EXPECT_EQ(begun.sharing, 0);
   EXPECT_GT(expected.resting_contacts, 5U);
   for (const std::size_t workers : {2, 3, 7}) {
-    EXPECT_EQ(run(scene, workers, 30, &shared), expected) << workers << " workers";
-    EXPECT_GT(shared, 50) << workers << " workers";
+    EXPECT_EQ(run(scene, workers, 30, &begun), expected) << workers << " workers";
+    EXPECT_GT(begun.sharing, 50) << workers << " workers";
+    EXPECT_EQ(begun.flying, 0) << workers << " workers";
   }
   EXPECT_EQ(run(scene, 2, 7), expected) << "long frames";
+}
+
+// Seen to fail where the one loop did not ask how many workers there are.
+TEST(EventIslands, BallsThatHaveAWorkerEachAreFlownByTheirs) {
+  const Scene scene = pits(0);
+  const auto movers = static_cast<std::size_t>(std::count_if(
+      scene.balls.begin(), scene.balls.end(), [](const Ball& ball) { return !ball.fixed; }));
+  Begun begun;
+  const Outcome expected = run(scene, 1, 30);
+  EXPECT_EQ(run(scene, movers, 30, &begun), expected);
+  EXPECT_GE(begun.flying, 30 * static_cast<int>(movers));
 }
 
 }  // namespace

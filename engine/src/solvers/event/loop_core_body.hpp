@@ -73,7 +73,7 @@ void LoopCore<P>::work(std::size_t phase, Share share) {
   }
   if (groups_) {
     groups_->work(phase, share);
-  } else if (stepping_ && phase == ConflictGroups<P>::kPairs) {
+  } else if (phase == ConflictGroups<P>::kPairs) {  // of one loop only where steps are shared
     for (std::size_t k = taken_++; k < loop_->islands(); k = taken_++) loop_->solve_island(k);
   } else if (share.index == 0) {
     advance();
@@ -221,7 +221,10 @@ auto LoopCore<P>::choose_way() const -> Way {
   if (workers_ == 1 || jams) return Way::loop;
   // A heap would be solved again in every window, and for each ball that falls on it.
   const bool heaps = rests_ && effects_.gravity && balls_.size() >= sharing_.balls_of_one_loop;
-  return heaps ? Way::loop : Way::groups;
+  // But where each ball that moves has a worker, that flies it.
+  const auto movers = std::count_if(balls_.begin(), balls_.end(),
+                                    [](const carom::Ball& ball) { return !ball.fixed; });
+  return heaps && workers_ < static_cast<std::size_t>(movers) ? Way::loop : Way::groups;
 }
 
 }  // namespace carom::event
