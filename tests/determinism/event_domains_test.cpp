@@ -10,6 +10,7 @@
 #include "carom/session.hpp"
 #include "solvers/event/solver.hpp"
 #include "support/scenes.hpp"
+#include "support/solver_outcome.hpp"
 
 namespace carom::event_domains_test {
 namespace {
@@ -20,17 +21,7 @@ struct Case {
   double time;
 };
 
-/// What a run came to: where all balls are, to the last bit, and what was counted.
-struct Outcome {
-  std::string state_hash;
-  std::uint64_t ball_ball = 0;
-  std::uint64_t ball_wall = 0;
-  std::uint64_t resting_contacts = 0;
-  double max_overlap = 0;
-  double dissipated = 0;
-
-  bool operator==(const Outcome&) const = default;
-};
+using Outcome = test::SolverOutcome;
 
 struct Run {
   std::size_t workers = 1;
@@ -51,11 +42,12 @@ Outcome run(const Case& c, const Run& how, std::uint64_t* again = nullptr) {
   };
   for (int frame = 1; frame < c.time * how.frame_rate; ++frame) go_to(frame / how.frame_rate);
   go_to(c.time);
-  Measurements measured;
-  solver.count(measured);
-  if (again != nullptr) *again += measured.islands_again;
-  return {solver.state_hash(),       measured.ball_ball,   measured.ball_wall,
-          measured.resting_contacts, measured.max_overlap, solver.dissipated()};
+  if (again != nullptr) {
+    Measurements measured;
+    solver.count(measured);
+    *again += measured.islands_again;
+  }
+  return test::outcome_of(solver);
 }
 
 Scene falling() {

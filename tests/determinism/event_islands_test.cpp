@@ -5,15 +5,17 @@
 #include <array>
 #include <atomic>
 #include <random>
-#include <string>
 #include <vector>
 
 #include "carom/crew.hpp"
 #include "carom/scene.hpp"
 #include "solvers/event/solver.hpp"
+#include "support/solver_outcome.hpp"
 
 namespace carom::event_islands_test {
 namespace {
+
+using Outcome = test::SolverOutcome;
 
 constexpr int kPits = 5;
 
@@ -50,18 +52,6 @@ Scene pits(double friction) {
   return scene;
 }
 
-struct Outcome {
-  std::string state_hash;
-  std::uint64_t ball_ball = 0;
-  std::uint64_t ball_wall = 0;
-  std::uint64_t joint_impacts = 0;
-  std::uint64_t resting_contacts = 0;
-  double max_overlap = 0;
-  double dissipated = 0;
-
-  bool operator==(const Outcome&) const = default;
-};
-
 /// How often a worker has begun a phase.
 struct Begun {
   int flying = 0;   ///< in which each flies its own balls
@@ -89,11 +79,7 @@ Outcome run(Scene scene, std::size_t workers, double frame_rate, Begun* counted 
     if (first != Phase::kFrameDone) crew.do_frame(first);
   }
   if (counted != nullptr) *counted = {begun[0], begun[1]};
-  Measurements measured;
-  solver.count(measured);
-  return {solver.state_hash(),    measured.ball_ball,        measured.ball_wall,
-          measured.joint_impacts, measured.resting_contacts, measured.max_overlap,
-          solver.dissipated()};
+  return test::outcome_of(solver);
 }
 
 TEST(EventIslands, OfOneStepAreSolvedByAnyNumberOfWorkersWithTheSameBits) {

@@ -164,8 +164,8 @@ void IslandImpact<P>::give_support(Island& island, const IslandHits& hits, doubl
 // As `hold_on`, with what bounces parting as fast as its contacts ask for, times `part`; no energy
 // is made where that can be mended by slowing down what is stepped.
 template <class P>
-auto IslandImpact<P>::bounce(Island& island, const IslandHits& hits, const Try& of, double part,
-                             IslandChange& change) const -> bool {
+bool IslandImpact<P>::bounce(Island& island, const IslandHits& hits, const Try& of, double part,
+                             IslandChange& change) const {
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     island.contacts[k].parting = hits.parts[k] != 0 ? part * of.parting[k] : 0;
   }

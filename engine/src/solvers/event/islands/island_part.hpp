@@ -27,7 +27,7 @@ struct IslandPart {
 [[nodiscard]] bool reaches_standing(const IslandMotion& island, const std::vector<char>& stands,
                                     double still);
 
-/// Whether what is faster along either axis or turning is none.
+/// Whether it is no faster than `most` along either axis, nor in turning.
 [[nodiscard]] bool is_slow(const ConeBody& body, double most);
 
 /// Those that are near to what moves move, too, and those near to these, so many times.

@@ -205,11 +205,9 @@ void IslandStepping<P>::put_on_walls(Island& island, const std::vector<ConeBody>
 // had been left unsolved: balls that gravity moves gain what they fall.
 template <class P>
 void IslandStepping<P>::rest_if_stopped(Island& island, const std::vector<ConeBody>& before) {
-  const auto still = [](const ConeBody& body) {
-    return body.velocity.x == 0 && body.velocity.y == 0 && body.turning == 0;
-  };
   for (std::size_t m = 0; m < before.size(); ++m) {
-    if (island.support[m] != kResting && !(still(before[m]) && still(island.bodies[m]))) return;
+    if (island.support[m] != kResting && !(is_slow(before[m], 0) && is_slow(island.bodies[m], 0)))
+      return;
   }
   std::replace(island.support.begin(), island.support.end(), kStepped, kResting);
 }
