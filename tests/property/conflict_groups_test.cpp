@@ -102,7 +102,7 @@ bool compare(unsigned seed) {
   }
   if (depends_on_order<P>(setting, loop)) return false;
   Draw draw(seed + 1000000);
-  for (const std::size_t workers : {1U, 3U, 7U}) {
+  for (const std::size_t workers : {1U, 3U, 40U}) {
     ConflictGroups<P> groups(setting.rules);
     groups.set_workers(workers);
     groups.reset(disks, 0, {}, {});
@@ -148,6 +148,42 @@ void compare_all() {
 
 TEST(ConflictGroups, HaveTheBitsOfOneEventLoop) {
   compare_all<Ballistic>();
+}
+
+// Three balls in a row, the last of which the middle one comes to only after it was hit: the group
+// of two is solved, tested again and solved once more with the third.
+TEST(ConflictGroups, LittleThatIsSolvedAgainWakesNoWorkers) {
+  Setting setting;
+  Box box;
+  box.width = 20;
+  box.height = 4;
+  setting.rules.domain = Domain(box, true);
+  setting.rules.scale = FixedTimeClock(0.25);
+  setting.rules.all_species = {{0.5, 1}};
+  for (const double x : {2.0, 4.0, 6.0}) {
+    Disk disk;
+    disk.x = x;
+    disk.y = 2;
+    disk.vx = x == 2.0 ? 10 : 0;
+    setting.disks.push_back(disk);
+  }
+  const auto phases_of = [&](std::size_t workers) {
+    ConflictGroups<Ballistic> groups(setting.rules);
+    groups.set_workers(workers);
+    groups.reset(setting.disks, 0, {}, {});
+    std::size_t phases = 0;
+    for (std::size_t phase = groups.aim(setting.rules.scale.ticks(0.25));
+         phase != Phase::kFrameDone; phase = groups.finish(phase)) {
+      for (std::size_t k = 0; k < workers; ++k) groups.work(phase, {k, workers});
+      ++phases;
+    }
+    EXPECT_EQ(groups.counts().ball_ball, 2U);
+    EXPECT_EQ(groups.windows(), 1U);
+    EXPECT_EQ(groups.passes(), 3U);
+    return phases;
+  };
+  EXPECT_EQ(phases_of(3), 3U);
+  EXPECT_EQ(phases_of(1), 6U);
 }
 
 // For a sanitizer of threads: what a phase reads is not written in it.

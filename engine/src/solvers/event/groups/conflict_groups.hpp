@@ -32,7 +32,8 @@ namespace carom::event {
 ///                         window
 ///
 /// Then pairs with a changed path are looked at again.  Groups that meet merge and are solved
-/// again, until no two groups meet.
+/// again, until no two groups meet.  What changes in such a pass is often little: where it takes
+/// less time than to wake all workers, the last one to arrive does it while the others wait.
 ///
 /// Why the bits are those of one event loop.  Paths and contact times are pure functions of
 /// flights. Suppose that at the end no two groups meet, and let T be the first moment at which
@@ -126,10 +127,13 @@ class ConflictGroups {
   void test_pairs(Share share);
   void resolve(Share share);
   // What is done between two phases; each gives the next one.
+  [[nodiscard]] std::size_t after(std::size_t phase);
   [[nodiscard]] std::size_t begin_window();
   [[nodiscard]] std::size_t after_flight();
   [[nodiscard]] std::size_t merge();
   [[nodiscard]] std::size_t end_window();
+  /// Whether the phase, after the first pass, takes less time than to wake all workers for it.
+  [[nodiscard]] bool is_short(std::size_t phase) const;
 
   /// REQUIRES: the workspace's loop has its members.
   void solve(Index root, Workspace& workspace);
@@ -149,6 +153,7 @@ class ConflictGroups {
   std::vector<ConflictSets::Group> dirty_;  ///< to be solved
   bool notes_ = false;
   bool first_pass_ = false;
+  std::size_t to_solve_ = 0;  ///< balls of the groups that are dirty
 
   Time now_ = 0;
   Time until_ = 0;  ///< the end of the present window
