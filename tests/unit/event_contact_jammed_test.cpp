@@ -128,7 +128,7 @@ Lattice between_wall_and_heavy(double heavy) {
 TEST(EventJammed, AWedgeThatIsTooNarrowIsNotWaitedFor) {
   Lattice pair = between_wall_and_heavy(1e12);
   const JointReport report = pair.resolve();
-  EXPECT_LE(report.rounds, patience<double>(2) + 1);
+  EXPECT_LE(report.rounds, 2 * kPatience);
   EXPECT_GT(report.jammed, 0);
   EXPECT_FALSE(pair.approaches());
   EXPECT_NEAR(pair.energy() + report.held_energy, 5e11, 5e11 * 1e-12);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/disjoint_sets.hpp"
+#include "contact/impulse_guess.hpp"
 #include "contact/index.hpp"
 #include "numbers/exact_sum.hpp"
 #include "numbers/scalar.hpp"
@@ -94,6 +95,24 @@ class ContactGraph {
     }
     std::vector<S> result(size());
     for (std::size_t k = 0; k < size(); ++k) result[k] = parting(k, motion);
+    return result;
+  }
+
+  /// How fast an impulse at each contact parts each, in double.
+  ResponseMatrix response_matrix() const {
+    ResponseMatrix result(size());
+    for (std::size_t body = 0; body < bodies_.size(); ++body) {
+      const auto mobility = static_cast<double>(bodies_[body].inverse_mass);
+      if (mobility == 0) continue;
+      for (const End& one : at_body_[body]) {
+        const Vec<S>& n = normals_[one.contact];
+        for (const End& other : at_body_[body]) {
+          const Vec<S>& m = normals_[other.contact];
+          const double along = mobility * static_cast<double>(S(n.x * m.x + n.y * m.y));
+          result.at(one.contact, other.contact) += one.is_b == other.is_b ? along : -along;
+        }
+      }
+    }
     return result;
   }
 

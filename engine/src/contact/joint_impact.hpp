@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "contact/dissipation.hpp"
 #include "contact/group_motion.hpp"
 #include "contact/index.hpp"
+#include "contact/jammed_contacts.hpp"
 #include "contact/joint_report.hpp"
 #include "contact/kept_energy.hpp"
 #include "contact/nonnegative_impulses.hpp"
@@ -37,12 +39,15 @@ namespace carom::event {
 /// Wedged balls cannot do that: what still approaches is locked to one velocity along that axis
 /// with its momentum.
 /// Jammed: in a gap of exactly zero between walls or fixed balls, as that of a ball as tall as its
-/// box, a speed across has no limit as a sequence of impacts. Nor can one be had where a sequence
-/// takes too many rounds, or may take too many by the angle of the wedge it is in. Where nothing is
-/// lost in an impact, such a group gets the nearest velocities by which nothing approaches, all of
-/// them longer by one factor so that its energy stays; seen from its centre of mass, if it touches
-/// nothing fixed. What vibrated in the gap so drives the group apart along the ways that are open.
-/// If there is none, the energy is held back, and counts as lost.
+/// box, a speed across has no limit as a sequence of impacts. Which contacts are so wedged in, or
+/// come apart only in too many rounds, is told by how they lie, jammed_contacts.hpp, and asked when
+/// reflections have not ended after kPatience. They then reflect with whatever else does, as one
+/// face: that turns what goes into a narrow wedge, as many impacts would. What still approaches is
+/// stopped, and held while the others go on; in the end the group gets the nearest velocities by
+/// which nothing approaches. Where nothing is lost in an impact, all of them are longer by one
+/// factor so that its energy stays; seen from its centre of mass, if it touches nothing fixed. What
+/// vibrated in the gap so drives the group apart along the ways that are open. If there is none,
+/// the energy is held back, and counts as lost. Else it is lost, as after ever smaller impacts.
 /// Holds: numbering, sides, mirrors and swapped axes leave the bits as they are: every contact
 /// sees the same old velocities, every sum is rounded once. Momentum of free groups to rounding.
 /// Source: Smith, Kaufman, Vouga, Tamstorf, Grinspun, Reflections on simultaneous impact, ACM TOG
@@ -57,6 +62,8 @@ class JointImpact {
       : bodies_(bodies),
         strokes_(strokes),
         graph_(bodies, contacts),
+        jammed_(contacts.size(), 0),
+        turned_(contacts.size(), 0),
         gains_(contacts.size(), S(0)) {}
   JointImpact(const JointImpact&) = delete;
   JointImpact& operator=(const JointImpact&) = delete;
@@ -64,25 +71,36 @@ class JointImpact {
   JointReport resolve() {
     const bool elastic = is_lossless(graph_);
     const int most = most_rounds(graph_);
-    const int asked = std::min(most, patience<S>(graph_.size()));
     const std::vector<Vec<S>> start = elastic ? motion_.velocities() : std::vector<Vec<S>>{};
     bool stopped = false;
-    while (const auto approaching = motion_.approaching(true)) {
-      const bool looks = elastic && report_.rounds == asked;
-      if (report_.rounds == most || (looks && is_too_narrow(graph_, most))) {
-        if (elastic) report_.jammed = static_cast<int>(count(*approaching));
-        stop_everything();
+    while (const auto approaching = this->approaching()) {
+      if (report_.rounds > 0 && report_.rounds % kPatience == 0 && graph_.size() <= kMostGuessed) {
+        jammed_ = jammed_contacts(graph_, most_of_wedge(graph_, most), jammed_);
+      }
+      if (report_.rounds >= most || holds_any(*approaching)) {
+        if (elastic) report_.jammed += static_cast<int>(count(*approaching));
         stopped = true;
         break;
       }
       ++report_.rounds;
-      reflect(*approaching, false);
+      const std::size_t again = count_both(*approaching, turned_);
+      if (again > 0) {
+        if (elastic) report_.jammed += static_cast<int>(again);
+        stopped = true;
+        stop(turned_);
+        hold_stopped();
+      } else {
+        reflect(*approaching, false);
+      }
       motion_.note_peaks();
+    }
+    if (stopped) {
+      ++report_.rounds;
+      stop(motion_.mobile());
     }
     mend();
     for (int again = 0; again < 4 && elastic && (stopped || rounding_.locked() > 0); ++again) {
-      const double held = KeptEnergy<S>(bodies_, graph_).give_back(start, motion_.velocities());
-      if (again == 0) report_.held_energy += held;
+      report_.held_energy = KeptEnergy<S>(bodies_, graph_).give_back(start, motion_.velocities());
       motion_.note_peaks();
       if (!motion_.approaching(false)) break;
       mend();
@@ -105,20 +123,37 @@ class JointImpact {
     return static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), 1));
   }
 
-  /// lossless: as if every restitution were 1.
-  void reflect(const Chosen& chosen, bool lossless) {
+  static std::size_t count_both(const Chosen& one, const Chosen& other) {
+    std::size_t both = 0;
+    for (std::size_t k = 0; k < one.size(); ++k) both += one[k] != 0 && other[k] != 0 ? 1U : 0U;
+    return both;
+  }
+
+  /// What is jammed reflects with what it holds.  lossless: as if every restitution were 1.
+  void reflect(const Chosen& approaching, bool lossless) {
+    Chosen chosen = approaching;
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      if (jammed_[k] != 0) chosen[k] = jammed_[k];
+    }
     const std::vector<std::size_t> set = graph_.coupled_sets(chosen);
     std::vector<int> members(graph_.size(), 0);
-    for (std::size_t k = 0; k < graph_.size(); ++k) members[set[k]] += chosen[k];
+    std::vector<char> approaches(graph_.size(), 0);
     for (std::size_t k = 0; k < graph_.size(); ++k) {
+      members[set[k]] += chosen[k] != 0 ? 1 : 0;
+      if (approaching[k] != 0) approaches[set[k]] = 1;
+    }
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      if (approaches[set[k]] != 0 && jammed_[k] == kPushes) turned_[k] = 1;
+    }
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      if (approaches[k] == 0) continue;
       if (members[k] == 1) {
         for (std::size_t m = 0; m < graph_.size(); ++m) {
           if (chosen[m] && set[m] == k) reflect_alone(m, lossless);
         }
       } else if (members[k] > 1) {
         Chosen together(graph_.size(), 0);
-        for (std::size_t m = 0; m < graph_.size(); ++m)
-          together[m] = chosen[m] && set[m] == k ? 1 : 0;
+        for (std::size_t m = 0; m < graph_.size(); ++m) together[m] = set[m] == k ? chosen[m] : 0;
         reflect_together(together, lossless);
       }
     }
@@ -160,7 +195,7 @@ class JointImpact {
     const std::vector<S> impulses = nonnegative_impulses(graph_, motion_.partings(), together);
     S restitution = 1;
     for (std::size_t k = 0; k < graph_.size(); ++k) {
-      if (!(impulses[k] > 0) || lossless) continue;
+      if (!(impulses[k] > 0) || lossless || together[k] == kHolds) continue;
       note_impact(k);
       const S& e = graph_.contact(k).restitution;
       if (e < restitution) restitution = e;
@@ -207,15 +242,43 @@ class JointImpact {
     rounding_.end([this](const Chosen& chosen) { reflect(chosen, true); });
   }
 
-  /// One inelastic impact of all contacts, also of those that would approach only through it.
-  void stop_everything() {
-    const std::vector<S> impulses =
-        nonnegative_impulses(graph_, motion_.partings(), motion_.mobile());
-    ++report_.rounds;
+  /// One inelastic impact of the contacts chosen, also of those that would approach only through
+  /// it.
+  void stop(const Chosen& chosen) {
+    const std::vector<S> impulses = nonnegative_impulses(graph_, motion_.partings(), chosen);
     for (std::size_t k = 0; k < graph_.size(); ++k) {
       if (impulses[k] > 0) note_impact(k);
     }
     apply(impulses, S(1), true);
+  }
+
+  /// Contacts that approach; what is held does, by rounding, until its end.
+  [[nodiscard]] std::optional<Chosen> approaching() const {
+    std::optional<Chosen> chosen = motion_.approaching(true);
+    if (!chosen) return chosen;
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      if (jammed_[k] != kHolds || (*chosen)[k] == 0) continue;
+      if (graph_.parting(k, motion_.velocities()) < -S(kStopped) * motion_.peak(k)) continue;
+      (*chosen)[k] = 0;
+    }
+    return count(*chosen) > 0 ? chosen : std::nullopt;
+  }
+
+  [[nodiscard]] bool holds_any(const Chosen& chosen) const {
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      if (chosen[k] != 0 && jammed_[k] == kHolds) return true;
+    }
+    return false;
+  }
+
+  /// What was turned and is stopped is held from now on; what opens is as others.
+  void hold_stopped() {
+    for (std::size_t k = 0; k < graph_.size(); ++k) {
+      if (turned_[k] == 0) continue;
+      const S most = S(kStopped) * motion_.peak(k);
+      jammed_[k] = graph_.parting(k, motion_.velocities()) > most ? 0 : kHolds;
+      turned_[k] = 0;
+    }
   }
 
   std::span<Body<S>> bodies_;
@@ -223,6 +286,8 @@ class JointImpact {
   ContactGraph<S> graph_;
   GroupMotion<S> motion_{bodies_, graph_};
   RoundingApproaches<S> rounding_{bodies_, graph_, motion_};
+  Chosen jammed_;  ///< known after kPatience rounds
+  Chosen turned_;  ///< those that have been reflected with what they hold
   std::vector<S> gains_;
   JointReport report_;
 };

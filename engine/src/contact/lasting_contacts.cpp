@@ -102,6 +102,7 @@ void LastingContacts::settle(std::span<double> lost, Count& count, ImpactLog& lo
   for (const LastingIsland& island : islands_) {
     count.ball_ball += island.ball_ball;
     count.ball_wall += island.ball_wall;
+    count.jammed += island.jammed;
     count.deepest = std::max(count.deepest, island.deepest);
     log.impacts.insert(log.impacts.end(), island.impacts.begin(), island.impacts.end());
     for (const auto& member : island.members) islands_.driven()[member.ball] = 0;

@@ -40,6 +40,7 @@ class LastingContacts {
   struct Count {
     std::uint64_t ball_ball = 0;
     std::uint64_t ball_wall = 0;
+    std::uint64_t jammed = 0;
     double deepest = 0;  ///< overlap at the end of the step, by the smaller radius
   };
 

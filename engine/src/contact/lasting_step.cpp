@@ -60,6 +60,11 @@ void LastingStep::take(LastingIsland& island, Balls& balls, bool may_sleep,
     island.deepest = deepest(island, balls);
   }
   island.lost = lost_by(island, balls, domain_, rule_.acceleration);
+  if (rule.keeps_energy) {
+    const bool keeps = std::abs(island.lost) <= rounding_of_gain(island.bodies, rule);
+    if (keeps) island.lost = 0;
+    island.jammed = keeps || island.sleeps ? 0 : island.contacts.size();
+  }
   if (!log.wanted) return;
   ImpactLog noted{true, log.time, {}};
   note_contacts(island, balls, outcome, noted);

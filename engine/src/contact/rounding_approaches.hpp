@@ -17,12 +17,17 @@ namespace carom::event {
 /// A component of a normal that is smaller than this part of the other may be rounding.
 inline constexpr double kRoundingOfNormal = 0x1p-40;
 
+/// How often approaches that are rounding are reflected or nudged apart, of wedged bodies and of
+/// others.
+inline constexpr int kFewRounding = 3;
+inline constexpr int kMostRounding = 12;
+
 /// Ends approaches that are rounding only, until no contact of a group approaches in the bits that
 /// pair_time() looks at.
 ///
 /// The least impulses nudge the bodies apart; where these would do more than mend rounding, the
 /// contacts are reflected.  Wedged bodies come apart by neither: what still approaches after a
-/// dozen rounds is locked to one velocity along that axis, with its momentum.
+/// few rounds is locked to one velocity along that axis, with its momentum.
 template <class S>
 class RoundingApproaches {
  public:
@@ -36,12 +41,13 @@ class RoundingApproaches {
   void end(Reflect reflect) {
     S units = 2;
     while (motion_.approaching(false)) {
-      if (rounds_ == 12) {
+      if (rounds_ >= (failed_ ? kFewRounding : kMostRounding)) {
         lock();
         return;
       }
       ++rounds_;
-      if (wedged_ || !nudge(units)) reflect(*motion_.approaching(false));
+      failed_ = failed_ || !nudge(units);
+      if (failed_) reflect(*motion_.approaching(false));
       units = units * 2;
     }
   }
@@ -55,7 +61,7 @@ class RoundingApproaches {
  private:
   /// The least impulses after which every contact parts by so many units of rounding of the
   /// speeds its two had; false, and nothing is done, if rounding is not all they would change, or
-  /// if there are none: then the group is wedged, whatever the units.
+  /// if there are none.
   bool nudge(const S& units) {
     const S u = std::numeric_limits<S>::epsilon();
     std::vector<S> parting = motion_.partings();
@@ -65,10 +71,8 @@ class RoundingApproaches {
       parting[k] = parting[k] - units * u * peak;
       fastest = larger(fastest, peak);
     }
-    const auto impulses =
-        pivoted_impulses(graph_, parting, motion_.mobile(), slack_of_impulses<S>());
-    wedged_ = !impulses;
-    if (wedged_) return false;
+    const auto impulses = least_impulses<S>(graph_, parting, motion_.mobile(), nullptr);
+    if (!impulses) return false;
     const std::vector<Vec<S>> totals = graph_.totals(*impulses);
     const std::vector<Vec<S>>& old = motion_.velocities();
     std::vector<Vec<S>> nudged = old;
@@ -103,7 +107,7 @@ class RoundingApproaches {
   std::span<const Body<S>> bodies_;
   const ContactGraph<S>& graph_;
   GroupMotion<S>& motion_;
-  bool wedged_ = false;
+  bool failed_ = false;  ///< to nudge them apart
   int rounds_ = 0;
   int locked_ = 0;
   double lost_ = 0;

@@ -176,8 +176,7 @@ void OverlapSolver::resolve_island(std::size_t island, overlap::Work& work) {
 std::size_t OverlapSolver::after_islands() {
   if (rounds_.join(touching_)) return resolve_islands();
   overlap::Work& work = work_.front();
-  contacts_.settle(rules_.loses ? std::span<double>(losses_.by_ball) : std::span<double>(),
-                   work.lasting, work.impacts.log);
+  contacts_.settle(losses_.by_ball, work.lasting, work.impacts.log);
   return after_impacts();
 }
 
@@ -266,7 +265,9 @@ void OverlapSolver::renew_balls(const std::vector<Ball>& balls) {
 void OverlapSolver::renew_rules() {
   if (effects_.walls) domain_ = Domain(box_, effects_.walls->on);
   rules_ = overlap::StepRules(effects_, balls_, rules_.step);
-  if (rules_.loses || !losses_.by_ball.empty()) losses_.by_ball.resize(balls_.size(), 0.0);
+  // Contacts that last may hold energy where nothing else loses any.
+  const bool loses = rules_.loses || rules_.contacts_last;
+  if (loses || !losses_.by_ball.empty()) losses_.by_ball.resize(balls_.size(), 0.0);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double along = rules_.collision.acceleration[axis];
     if (along != 0 && domain_.period[axis] > 0) turns_[axis].resize(balls_.size(), 0);
@@ -290,6 +291,7 @@ void OverlapSolver::count(Measurements& measurements) const {
     measurements.ball_wall += work.impacts.ball_wall;
     measurements.ball_ball += work.lasting.ball_ball;
     measurements.ball_wall += work.lasting.ball_wall;
+    measurements.jammed += work.lasting.jammed;
     measurements.max_overlap =
         std::max({measurements.max_overlap, work.deepest, work.lasting.deepest});
     seconds += work.seconds;

@@ -10,6 +10,7 @@ void Work::inherit(Work& gone) {
   impacts.friction_seconds += gone.impacts.friction_seconds;
   lasting.ball_ball += gone.lasting.ball_ball;
   lasting.ball_wall += gone.lasting.ball_wall;
+  lasting.jammed += gone.lasting.jammed;
   lasting.deepest = std::max(lasting.deepest, gone.lasting.deepest);
   deepest = std::max(deepest, gone.deepest);
   seconds += gone.seconds;

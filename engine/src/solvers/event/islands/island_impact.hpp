@@ -38,23 +38,25 @@ class IslandImpact {
     std::uint64_t jammed = 0;  ///< contacts; see JointReport
     double held = 0;           ///< energy of a jammed group that nothing of it can move with
   };
+  void take_back(Island& island, double span) const;
   Reflection reflect(Island& island, IslandHits& hits) const;
   void note_who_stays(const Island& island, IslandHits& hits) const;
   /// How fast contact `k`, which bounces, is to part.
   [[nodiscard]] double parting(const Island& island, std::size_t k, const IslandHits& hits,
                                double span) const;
-  /// Who is of the island from now on.  Adds those that were at rest to `woken`.
-  void give_support(Island& island, const IslandHits& hits, double span, bool steps,
+  /// Who is of the island from now on.  Adds those that were at rest to `woken`.  `gives`: those
+  /// that are stepped do not have what gravity makes until the next step.
+  void give_support(Island& island, const IslandHits& hits, double span, bool gives,
                     std::vector<Index>& woken) const;
   void put_on_walls(Island& island) const;
   /// What an impact is resolved with.
   struct Try {
     std::vector<double> parting;  ///< by contact: how fast it is to part
     double span;
-    bool steps;
+    bool gives;    ///< see give_support
     double goal;   ///< what may remain of speeds that are stopped
     double opens;  ///< see ConeIsland::resolve
-    double had;    ///< twice the energy of the island before,
+    double had;    ///< twice the energy that the island has,
     double kept;   ///< less what jammed groups hold
   };
   /// The impact, of which a part bounces.  False: that would make energy.

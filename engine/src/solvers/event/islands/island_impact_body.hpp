@@ -20,6 +20,37 @@ inline constexpr double kMadeForGood = 0x1p-20;
 // What bounces less bounces half as much, and less than this part not at all.
 inline constexpr double kLeastPart = 0x1p-4;
 
+// Who leaves falls by itself until the next step: what gravity has given it ahead is taken back,
+// but for what the contacts that it presses on have taken of that. Where nothing else loses energy,
+// one factor for the whole island sees to that.
+template <class P>
+void IslandImpact<P>::take_back(Island& island, double span) const {
+  const Vec<double> given = span * in_double(motion_.law().pull());
+  std::vector<ConeBody> ahead = island.bodies;
+  for (std::size_t m = 0; m < ahead.size(); ++m) {
+    ahead[m].velocity = island.support[m] >= kResting ? given : Vec<double>{0, 0};
+    ahead[m].turning = 0;
+  }
+  const auto is_of_it = [&](int body) {
+    return body == kWall || island.support[static_cast<std::size_t>(body)] >= kResting;
+  };
+  const double still = kStill * static_cast<double>(motion_.speed_of_step());
+  std::vector<ConeContact> pressed;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const ConeContact& c = island.contacts[k];
+    if (island.touches[k] == 0 || !is_of_it(c.a) || !is_of_it(c.b)) continue;
+    if (std::abs(approach(island, k)) > still) continue;
+    pressed.push_back(c);
+    pressed.back().gap = 0;
+  }
+  ConeIsland(ahead, pressed).resolve(ahead, 0, kSolved * still);
+  for (std::size_t m = 0; m < ahead.size(); ++m) {
+    if (island.support[m] != kStepped) continue;
+    island.bodies[m].velocity = island.bodies[m].velocity - ahead[m].velocity;
+    island.bodies[m].turning -= ahead[m].turning;
+  }
+}
+
 // A hit of an island whose contacts lose nothing along their normals is a joint impact of all that
 // touches.
 template <class P>
@@ -102,6 +133,10 @@ void IslandImpact<P>::hold_on(Island& island, double span, double goal, std::vec
   const Vec<double> g = in_double(motion_.law().pull());
   for (bool more = true; more;) {
     impulses_.press(island, span, goal, loads, opens);
+    for (int turn = 0; turn < kMostTurns && motion_.elastic() && span > 0; ++turn) {
+      if (!impulses_.closes(island, span)) break;
+      impulses_.press(island, span, goal, loads, opens);
+    }
     more = false;
     for (std::size_t k = 0; k < island.contacts.size() && !motion_.elastic(); ++k) {
       const ConeContact& c = island.contacts[k];
@@ -144,7 +179,7 @@ double IslandImpact<P>::parting(const Island& island, std::size_t k, const Islan
 }
 
 template <class P>
-void IslandImpact<P>::give_support(Island& island, const IslandHits& hits, double span, bool steps,
+void IslandImpact<P>::give_support(Island& island, const IslandHits& hits, double span, bool gives,
                                    std::vector<Index>& woken) const {
   const Vec<double> g = in_double(motion_.law().pull());
   const bool keeps_all = !motion_.elastic() || impulses_.gives_up();
@@ -153,7 +188,7 @@ void IslandImpact<P>::give_support(Island& island, const IslandHits& hits, doubl
     unsigned& support = island.support[m];
     if (support == kResting) woken.push_back(island.members[m]);
     const bool of_it = (support >= kResting && keeps_all) || hits.stays[m] != 0 || large;
-    if (of_it && (steps || support != kStepped)) {
+    if (of_it && (gives || support != kStepped)) {
       // It has not been given what gravity makes till the next step.
       island.bodies[m].velocity = island.bodies[m].velocity + span * g;
     }
@@ -169,7 +204,7 @@ bool IslandImpact<P>::bounce(Island& island, const IslandHits& hits, const Try& 
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     island.contacts[k].parting = hits.parts[k] != 0 ? part * of.parting[k] : 0;
   }
-  give_support(island, hits, of.span, of.steps, change.woken);
+  give_support(island, hits, of.span, of.gives, change.woken);
   std::vector<double>& loads = change.carried.impulses;
   loads.assign(island.contacts.size(), 0);
   hold_on(island, of.span, of.goal, loads, of.opens);
@@ -211,6 +246,10 @@ IslandChange IslandImpact<P>::resolve(Island& island, double span, At now, bool 
                                     kSolved
                               : kSolved * hits.fastest;
   const double opens = steps ? impulses_.opens() : 0;
+  const bool takes_back =
+      elastic && !motion_.keeps_energy() && !steps && span > 0 && !impulses_.gives_up();
+  if (takes_back) take_back(island, span);
+  const double has = takes_back ? energy.of(island, 0).all() : had;
   double held = 0;
   std::vector<double> parting(island.contacts.size(), 0);
   if (elastic) {
@@ -222,7 +261,7 @@ IslandChange IslandImpact<P>::resolve(Island& island, double span, At now, bool 
       if (hits.parts[k] != 0) parting[k] = this->parting(island, k, hits, span);
     }
   }
-  const Try of{std::move(parting), span, steps, goal, opens, had, had - 2 * held};
+  const Try of{std::move(parting), span, steps || takes_back, goal, opens, has, has - 2 * held};
   if (elastic || !hits.bounces) {
     (void)bounce(island, hits, of, 0, change);
   } else {

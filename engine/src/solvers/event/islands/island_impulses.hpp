@@ -50,6 +50,10 @@ class IslandImpulses {
   void keep_gaps(Island& island, double had, double span, double goal,
                  std::vector<double>& loads) const;
 
+  /// Whether a contact that is held closes beyond touching before the step all the same, as one
+  /// does that was too fast to be held before something else slowed it down.
+  [[nodiscard]] bool closes(const Island& island, double span) const;
+
  private:
   /// Whether the contact is held until the next step, where collisions are elastic.
   [[nodiscard]] bool holds(const Island& island, std::size_t contact) const;

@@ -53,22 +53,26 @@ void IslandImpulses<P>::press(Island& island, double span, double goal, std::vec
 }
 
 template <class P>
+bool IslandImpulses<P>::closes(const Island& island, double span) const {
+  const double touching = kTouching * motion_.largest_radius();
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const double way = approach(island, k) * span;
+    const double gap = std::max(island.contacts[k].gap, 0.0);
+    if (way > gap + touching && holds(island, k)) return true;
+  }
+  return false;
+}
+
+template <class P>
 void IslandImpulses<P>::keep_gaps(Island& island, double had, double span, double goal,
                                   std::vector<double>& loads) const {
   if (!motion_.keeps_energy() || gives_up() || !(span > 0)) return;
-  const double touching = kTouching * motion_.largest_radius();
-  const auto closes = [&] {
-    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-      const double way = approach(island, k) * span;
-      const double gap = std::max(island.contacts[k].gap, 0.0);
-      if (way > gap + touching && holds(island, k)) return true;
-    }
-    return false;
-  };
-  for (int round = 0; round < kMostTurns && closes(); ++round) {
+  for (int round = 0; round < kMostTurns && closes(island, span); ++round) {
     press(island, span, goal, loads);
     energy_.keep(island, had, span, gives_up());
   }
+  // Where nothing else can move what it should keep is held: that is told, an overlap is not.
+  if (closes(island, span)) press(island, span, goal, loads);
 }
 
 }  // namespace carom::event
