@@ -65,7 +65,9 @@ TEST(ImpulseGuess, PushesOnlyWhatWouldApproach) {
     for (std::size_t k = 0; k < contacts; ++k) {
       EXPECT_GE(impulses[k], 0) << n;
       EXPECT_GE(after[k], -1e-4) << n;
-      if (impulses[k] > 1e-3) EXPECT_NEAR(after[k], 0, 1e-4) << n;
+      if (impulses[k] > 1e-3) {
+        EXPECT_NEAR(after[k], 0, 1e-4) << n;
+      }
     }
   }
 }

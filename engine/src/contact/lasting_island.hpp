@@ -68,7 +68,7 @@ struct LastingIsland {
   std::uint64_t ball_ball = 0;  // impacts with their restitution
   std::uint64_t ball_wall = 0;
   std::uint64_t jammed = 0;  // contacts, where nothing should lose energy, and some is lost
-  double deepest = 0;  // overlap at the end of the step, by the smaller radius
+  double deepest = 0;        // overlap at the end of the step, by the smaller radius
   std::vector<Impact> impacts;
 
   void add_contact(const IslandContact& contact, const Source& source) {
