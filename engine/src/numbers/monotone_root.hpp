@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "numbers/scalar.hpp"
 
 namespace carom::event {
@@ -13,7 +15,8 @@ struct Tangent {
 
 /// The one root of a function that is monotone over [low, high] and has opposite signs at its
 /// ends: Newton's steps, halving where they leave the bracket or do not halve it; it ends when a
-/// step is at most `tolerance` of the root, or when nothing lies between the ends. Reads only
+/// step is at most `tolerance` of the root, when nothing lies between the ends, or only u^3 of what
+/// lay between them at first. Reads only
 /// values and slopes, so the result scales exactly with powers of two.
 template <class S, class Function>
 S monotone_root(const Function& tangent_at, S low, S high, bool rising, const S& tolerance,
@@ -23,6 +26,8 @@ S monotone_root(const Function& tangent_at, S low, S high, bool rising, const S&
     t = low + (high - low) / 2;
   }
   S last_step = high - low;
+  const S u = std::numeric_limits<S>::epsilon();
+  const S least = last_step * u * u * u;
   for (;;) {
     const Tangent<S> f = tangent_at(t);
     if (f.value == 0) {
@@ -32,6 +37,10 @@ S monotone_root(const Function& tangent_at, S low, S high, bool rising, const S&
       low = t;
     } else {
       high = t;
+    }
+    // A root at an end that is 0 would be halved for as long as numbers can become smaller.
+    if (!(high - low > least)) {
+      return t;
     }
     const S newton_step = -f.value / f.slope;
     S next = t + newton_step;
