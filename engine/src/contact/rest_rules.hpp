@@ -17,9 +17,9 @@ namespace carom::event {
 // velocity is 0 and nothing accelerates it that way.  Dropped from h it rests at
 // sqrt(2h/g)(1+e)/(1-e), exactly at the wall, after about ln(2^55) / ln(1/e) bounces; along the
 // wall it glides on.  The same straight above a fixed ball.  Seen from a ball that falls it
-// accelerates: fixed_disk_time(). Where the wall is elastic, and only other impacts or drag lose
-// energy, bounces do not end: there those within 2^-12 sqrt(s/g) are none, s twice the radius; they
-// are 2^-27 s high.
+// accelerates: fixed_disk_time(). Where the wall is elastic, and only other impacts, friction or
+// drag lose energy, bounces do not end: there those within 2^-12 sqrt(s/g) are none, s twice the
+// radius; they are 2^-27 s high.
 //
 // Along a wall with friction, with mu and the normal pull g_n, a uniform disk slides under g_t - mu
 // g_n against its slip, its spin changing by 2 mu g_n / r in a second, until the slip is 0: an
@@ -48,20 +48,20 @@ namespace carom::event {
 // Two that gravity presses together and that have no speed along their normal, but for a bounce
 // within 2^-22 of the two, join whatever their restitution. Else, where collisions are elastic,
 // something else must take energy from the two: one of them is carried already; or, where walls
-// lose energy or there is drag, one is within 2^-16 of its diameter of a wall and both have been
-// hit within 2^-16 instead of 2^-12; or, where there is drag, one is fixed and the other comes at
-// less than 2^-12 sqrt(s g). A harder impact on an island is resolved for all of it at once: by the
-// least impulses after which it parts e times as fast as it came and nothing closes.  A step of a
-// large heap sees many: to an island of more than kFewContacts contacts belong, from each of its
-// steps and impacts to the next step, also the balls that fly near to it, those that will meet one
-// of it before that, from within kAhead, and such as do so with these.  Two that will meet by then
-// bounce at once, so fast as they will be when they are back where they are, or are held from
-// closing if they would not get there, and so are near ones that this drives together.  A ball that
-// nothing in the island carries leaves it. An island gains no energy, but what the turning
-// normals of its contacts took before.  Where nothing loses energy along a normal, a step holds
-// only what approaches no faster than 2 h (g + u^2 / s), u the slip, as gravity and the turning
-// normal of a contact that lasts make it; what comes faster, or to a wall, is an impact at its own
-// time.
+// lose energy or there is friction or drag, one is within 2^-16 of its diameter of a wall and both
+// have been hit within 2^-16 instead of 2^-12; or, where there is friction or drag, one is fixed
+// and the other comes at less than 2^-12 sqrt(s g). A harder impact on an island is resolved for
+// all of it at once: by the least impulses after which it parts e times as fast as it came and
+// nothing closes.  A step of a large heap sees many: to an island of more than kFewContacts
+// contacts belong, from each of its steps and impacts to the next step, also the balls that fly
+// near to it, those that will meet one of it before that, from within kAhead, and such as do so
+// with these.  Two that will meet by then bounce at once, so fast as they will be when they are
+// back where they are, or are held from closing if they would not get there, and so are near ones
+// that this drives together.  A ball that nothing in the island carries leaves it. An island gains
+// no energy, but what the turning normals of its contacts took before.  Where nothing loses energy
+// along a normal, a step holds only what approaches no faster than 2 h (g + u^2 / s), u the slip,
+// as gravity and the turning normal of a contact that lasts make it; what comes faster, or to a
+// wall, is an impact at its own time.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of

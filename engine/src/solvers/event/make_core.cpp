@@ -39,11 +39,8 @@ bool may_rest(const Scene& scene, const std::vector<Ball>& balls) {
   if (loses_energy(scene)) return true;
   if (!scene.effects.gravity) return false;
   if (scene.effects.drag) return true;  // it makes every bounce shorter
-  const Vec2& g = scene.effects.gravity->acceleration;
-  if (scene.effects.friction &&
-      friction_in_corners(scene.effects.friction->walls, {g.x(), g.y()})) {
-    return true;
-  }
+  const auto& friction = scene.effects.friction;
+  if (friction && (friction->balls > 0 || friction->walls > 0)) return true;  // so does that
   // Without losses only what touches from the start can rest, and what fits exactly between walls.
   const Domain domain(scene.box, scene.effects.walls.has_value());
   const FixedDiskCells fixed(domain, balls);

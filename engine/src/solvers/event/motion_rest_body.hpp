@@ -188,12 +188,12 @@ bool Motion<P>::jammed(const Disk& a, const Disk& b, At now) const {
   if (loses) return both(kShortly, speed);
   // Elastic ones that touch pass an impact on at once.
   if (a.start == now || b.start == now) return false;
-  if (on_fixed && rules_.drag_rate > 0 && speed * speed <= S(kShortly * kShortly) * reach * pull_) {
+  const bool takes = rules_.drag_rate > 0 || rules_.has_friction();
+  if (on_fixed && takes && speed * speed <= S(kShortly * kShortly) * reach * pull_) {
     return both(kShortly, speed);
   }
   if (!both(kBriefly, speed)) return false;
-  return (rules_.drag_rate > 0 || rules_.wall_restitution < 1) &&
-         (is_at_wall(a, now) || is_at_wall(b, now));
+  return (takes || rules_.wall_restitution < 1) && (is_at_wall(a, now) || is_at_wall(b, now));
 }
 
 template <class P>

@@ -35,6 +35,7 @@ struct BasicRules {
   bool spins = false;  ///< balls have friction and so have a spin
   bool rests = false;  ///< contacts can come to rest
 
+  [[nodiscard]] bool has_friction() const { return friction > 0 || wall_friction > 0; }
   /// Gravity pulls along this axis, which is periodic.
   [[nodiscard]] bool falls_round(std::size_t axis) const {
     return gravity[axis] != 0 && domain.period[axis] > 0;
@@ -46,18 +47,12 @@ struct BasicRules {
   }
 };
 
-/// Friction takes from the bounces along one wall when the ball hits another that gravity presses
-/// it to.
-inline bool friction_in_corners(double wall_friction, const std::array<double, 2>& gravity) {
-  return wall_friction > 0 && gravity[0] != 0 && gravity[1] != 0;
-}
-
 /// Whether energy is lost, so that contacts can come to rest.
 template <class S>
 bool can_rest(const BasicRules<S>& rules) {
   const bool falls = rules.gravity[0] != 0 || rules.gravity[1] != 0;
   return rules.wall_restitution < 1 || (rules.collisions && rules.restitution < 1) ||
-         (rules.drag_rate > 0 && falls) || friction_in_corners(rules.wall_friction, rules.gravity);
+         (falls && (rules.drag_rate > 0 || rules.has_friction()));
 }
 
 using Species = BasicSpecies<double>;

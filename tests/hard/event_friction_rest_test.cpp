@@ -1,0 +1,82 @@
+// Elastic balls that gravity brings to rest because friction takes from what slides: their impacts
+// follow each other ever faster, without number in finite time.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "carom/scene_file.hpp"
+#include "carom/simulation.hpp"
+
+namespace carom::event_friction_rest_test {
+namespace {
+
+Ball ball(double x, double y, double vx = 0, double vy = 0) {
+  Ball result;
+  result.position = {x, y};
+  result.velocity = {vx, vy};
+  return result;
+}
+
+Scene elastic(double width, double friction, double of_walls) {
+  Scene scene;
+  scene.box.width = width;
+  scene.box.height = 10;
+  scene.effects.walls = Walls{};
+  scene.effects.collisions = Collisions{};
+  scene.effects.gravity = Gravity{{0, -9.81}};
+  scene.effects.friction = Friction{friction, of_walls};
+  scene.solver.method = Method::event;
+  scene.workers = 1;
+  return scene;
+}
+
+Simulation at_time(const Scene& scene, double time) {
+  Simulation run(scene);
+  run.advance_to(time);
+  return run;
+}
+
+TEST(EventFrictionRest, elastic_balls_that_slide_on_each_other_pile_up_and_rest) {
+  Scene scene = elastic(1.98, 0.3, 0.5);
+  scene.balls = {ball(0.6, 1, 0.3), ball(1.2, 2.1, -0.2), ball(0.7, 3.3)};
+  const Simulation run = at_time(scene, 100);
+  for (const Ball& b : run.state()) {
+    EXPECT_EQ(b.velocity, Vec2(0, 0));
+    EXPECT_EQ(b.spin, 0);
+  }
+  const Measurements measured = run.measure();
+  EXPECT_EQ(measured.kinetic_final, 0);
+  EXPECT_LT(measured.relative_energy_error(), 1e-12);
+  EXPECT_LT(measured.max_overlap, 1e-5);
+}
+
+TEST(EventFrictionRest, the_same_in_other_digits_and_with_other_workers_and_stops) {
+  Scene scene = elastic(2.5, 0.2, 0.4);
+  scene.balls = {ball(0.6, 1, 0.3), ball(1.7, 2.1, -0.2), ball(0.7, 3.3), ball(1.5, 4.4, 1)};
+  const std::string whole = at_time(scene, 60).state_hash();
+  EXPECT_EQ(at_time(at_time(scene, 7).save(), 60).state_hash(), whole);
+  Scene shared = scene;
+  shared.workers = 3;
+  EXPECT_EQ(at_time(shared, 60).state_hash(), whole);
+  Scene wide = scene;
+  wide.solver.digits = 34;
+  const Simulation exact = at_time(wide, 30);
+  EXPECT_EQ(exact.measure().kinetic_final, 0);
+}
+
+// Nothing slides: nothing is taken, however often it bounces.
+TEST(EventFrictionRest, an_elastic_ball_that_does_not_slide_bounces_for_ever) {
+  Scene scene = elastic(5, 0.3, 0.5);
+  scene.balls = {ball(2, 1.5)};
+  const double fall = std::sqrt(2 * 1 / 9.81);
+  const Simulation run = at_time(scene, 2 * fall * 10000);
+  EXPECT_NEAR(run.state()[0].position.y(), 1.5, 1e-9);
+  EXPECT_NEAR(run.measure().kinetic_final, 0, 1e-12);
+  EXPECT_EQ(run.measure().ball_wall, 10000U);
+}
+
+}  // namespace
+}  // namespace carom::event_friction_rest_test
