@@ -1,7 +1,5 @@
 #include "solvers/event/islands/island_motion.hpp"
 
-#include <cmath>
-
 #include "contact/contact_graph.hpp"
 
 namespace carom::event {
@@ -15,11 +13,10 @@ double approach(const IslandMotion& island, std::size_t contact) {
   return -sharp_dot(c.normal, velocity(c.b) - velocity(c.a));
 }
 
-void stop_at(ConeBody& body, const ConeContact& wall, double left) {
+void stop_at(ConeBody& body, const ConeContact& wall) {
   const bool x = wall.normal.x != 0;
   double& v = x ? body.velocity.x : body.velocity.y;
-  const double towards = x ? wall.normal.x : wall.normal.y;
-  if (towards * v > left) v = left > 0 ? std::copysign(left, towards) : 0;
+  if ((x ? wall.normal.x : wall.normal.y) * v > 0) v = 0;
 }
 
 }  // namespace carom::event
