@@ -43,6 +43,9 @@ void try_seed(std::uint64_t seed, bool prints) {
   if (prints) std::puts(write_scene(scene).c_str());
 }
 
+// It is not yet true of every seed.  Of 1 to 121 some 17 take more than a few seconds (as 18 and
+// 26), 9, 83, 84 and 108 overlap by more than 1e-3 of a radius, and 25 has 4e-7 of its energy
+// unbooked.
 TEST(LatticeRun, EndsAndKeepsItsEnergyBook) {
   const auto [from, to] = test::seeds(27, 42);
   for (std::uint64_t seed = from; seed <= to; ++seed) try_seed(seed, from == to);
