@@ -32,10 +32,9 @@ inline void try_any_scenes(std::uint64_t first, std::uint64_t last,
       ++left_out;
       continue;
     }
-    const Verdict verdict = try_invariants(scene);
-    if (!verdict.left_out.empty()) ++left_out;
-    if (verdict.broken.empty()) continue;
-    ADD_FAILURE() << "CAROM_SEEDS=" << seed << ": " << verdict.broken;
+    const std::string broken = broken_invariant(scene);
+    if (broken.empty()) continue;
+    ADD_FAILURE() << "CAROM_SEEDS=" << seed << ": " << broken;
     if (from == to) ADD_FAILURE() << write_scene(scene);
   }
   testing::Test::RecordProperty("left_out", static_cast<int>(left_out));
