@@ -71,7 +71,6 @@ class BasicBarrier {
   [[nodiscard]] int yields_of(std::size_t parties);
   [[nodiscard]] bool yield_was_long();
   void learn_to_spin(int spins, bool in_vain);
-  void learn_to_sleep(std::size_t sleepers);
   [[nodiscard]] bool end_phase(std::uint32_t phase);
 
   std::function<void()> completion_;

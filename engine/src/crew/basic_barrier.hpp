@@ -31,9 +31,6 @@ inline constexpr int kYields = 4;
 inline constexpr std::size_t kFewParties = 64;
 inline constexpr int kYieldsOfFew = 8;
 inline constexpr int kYieldsOfMany = 3;
-// Where most of many parties slept all the same, as between the frames of a terminal, they fall
-// asleep at once in so many of the next phases.
-inline constexpr std::size_t kSleepingPhases = 32;
 // Where a yield brings the other party at once, the two share a core, and it was kept from it by
 // the spin: then they spin less, down to this.
 inline constexpr int kFewSpins = 16;
@@ -103,9 +100,9 @@ bool BasicBarrier<System>::arrive(bool await) {
 
 template <class System>
 int BasicBarrier<System>::yields_of(std::size_t parties) {
+  if (parties > barrier::kFewParties) return barrier::kYieldsOfMany;
   const int unyielding = unyielding_.load(std::memory_order_relaxed);
   if (unyielding == 0) {
-    if (parties > barrier::kFewParties) return barrier::kYieldsOfMany;
     return parties <= barrier::cores() ? barrier::kYields : barrier::kYieldsOfFew;
   }
   // Several may count down at once, and it be counted once.
@@ -127,16 +124,6 @@ void BasicBarrier<System>::learn_to_spin(int spins, bool in_vain) {
   const int better =
       in_vain ? std::max(spins / 2, barrier::kFewSpins) : std::min(2 * spins, barrier::kSpins);
   if (better != spins) spins_.store(better, std::memory_order_relaxed);
-}
-
-// `sleepers`: of the phase that has ended.
-template <class System>
-void BasicBarrier<System>::learn_to_sleep(std::size_t sleepers) {
-  const std::size_t parties = this->parties();
-  if (parties <= barrier::kFewParties || 2 * sleepers <= parties) return;
-  if (unyielding_.load(std::memory_order_relaxed) != 0) return;
-  unyielding_.store(static_cast<int>(barrier::kSleepingPhases * parties),
-                    std::memory_order_relaxed);
 }
 
 // `arrival`: the state before it arrived.
@@ -211,9 +198,8 @@ bool BasicBarrier<System>::end_phase(std::uint32_t phase) {
   Gate& gate = gates_[phase & 1U];
   gate.word.fetch_add(barrier::kNextOfGate, std::memory_order_seq_cst);
   System::between_word_and_sleepers();
-  if (const std::uint32_t sleepers = gate.sleepers.load(std::memory_order_seq_cst); sleepers > 0) {
+  if (gate.sleepers.load(std::memory_order_seq_cst) > 0) {
     System::wake(gate.word, 2 * barrier::kWakes);
-    learn_to_sleep(sleepers);
   }
   return true;
 }
