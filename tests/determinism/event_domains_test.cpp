@@ -9,8 +9,8 @@
 #include "carom/scene_file.hpp"
 #include "carom/session.hpp"
 #include "solvers/event/solver.hpp"
+#include "support/run_outcome.hpp"
 #include "support/scenes.hpp"
-#include "support/solver_outcome.hpp"
 
 namespace carom::event_domains_test {
 namespace {
@@ -21,7 +21,7 @@ struct Case {
   double time;
 };
 
-using Outcome = test::SolverOutcome;
+using Outcome = test::RunOutcome;
 
 struct Run {
   std::size_t workers = 1;

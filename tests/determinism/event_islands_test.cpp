@@ -10,12 +10,12 @@
 #include "carom/crew.hpp"
 #include "carom/scene.hpp"
 #include "solvers/event/solver.hpp"
-#include "support/solver_outcome.hpp"
+#include "support/run_outcome.hpp"
 
 namespace carom::event_islands_test {
 namespace {
 
-using Outcome = test::SolverOutcome;
+using Outcome = test::RunOutcome;
 
 constexpr int kPits = 5;
 

@@ -12,28 +12,13 @@
 #include "carom/scene_file.hpp"
 #include "carom/session.hpp"
 #include "support/process.hpp"
+#include "support/run_outcome.hpp"
 #include "support/scenes.hpp"
 
 namespace carom::event_workers_test {
 namespace {
 
-struct Outcome {
-  std::string state_hash;
-  std::uint64_t ball_ball = 0;
-  std::uint64_t ball_wall = 0;
-  std::uint64_t joint_impacts = 0;
-  std::uint64_t resting_contacts = 0;
-  double max_overlap = 0;
-  double energy = 0;
-  double dissipated = 0;
-
-  bool operator==(const Outcome&) const = default;
-};
-
-std::ostream& operator<<(std::ostream& out, const Outcome& o) {
-  return out << o.state_hash << ' ' << o.ball_ball << ' ' << o.ball_wall << ' ' << o.joint_impacts
-             << ' ' << o.resting_contacts << ' ' << o.max_overlap << ' ' << o.energy;
-}
+using Outcome = test::RunOutcome;
 
 Outcome run(Scene scene, std::size_t workers, double time, double frame_rate) {
   scene.workers = workers;
@@ -42,15 +27,7 @@ Outcome run(Scene scene, std::size_t workers, double time, double frame_rate) {
     session.advance_clock_to(frame / frame_rate);
   }
   session.advance_clock_to(time);
-  const Measurements measured = session.simulation().measure();
-  return {session.simulation().state_hash(),
-          measured.ball_ball,
-          measured.ball_wall,
-          measured.joint_impacts,
-          measured.resting_contacts,
-          measured.max_overlap,
-          measured.energy_final,
-          measured.energy_dissipated};
+  return test::outcome_of(session.simulation());
 }
 
 void expect_same_with_any_workers(const Scene& scene, double time, const std::string& name) {

@@ -6,16 +6,10 @@
 
 #include "carom/scene_file.hpp"
 #include "carom/simulation.hpp"
+#include "hard/elastic_setting.hpp"
 
 namespace carom::event_drag_rest_test {
 namespace {
-
-Ball ball(double x, double y, double vx = 0, double vy = 0) {
-  Ball result;
-  result.position = {x, y};
-  result.velocity = {vx, vy};
-  return result;
-}
 
 Ball fixed_disk(double x, double y) {
   Ball result = ball(x, y);
@@ -24,22 +18,9 @@ Ball fixed_disk(double x, double y) {
 }
 
 Scene elastic(const Vec2& gravity, double drag) {
-  Scene scene;
-  scene.box.width = 10;
-  scene.box.height = 10;
-  scene.effects.walls = Walls{};
-  scene.effects.collisions = Collisions{};
-  scene.effects.gravity = Gravity{gravity};
+  Scene scene = elastic_box(10, gravity);
   scene.effects.drag = Drag{drag};
-  scene.solver.method = Method::event;
-  scene.workers = 1;
   return scene;
-}
-
-Simulation at_time(const Scene& scene, double time) {
-  Simulation run(scene);
-  run.advance_to(time);
-  return run;
 }
 
 // The speed of a fall fades by drag, to exp(-50): without rest there are e^50 bounces.

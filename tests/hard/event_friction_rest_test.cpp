@@ -4,39 +4,17 @@
 
 #include <cmath>
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "carom/scene_file.hpp"
 #include "carom/simulation.hpp"
+#include "hard/elastic_setting.hpp"
 
 namespace carom::event_friction_rest_test {
 namespace {
 
-Ball ball(double x, double y, double vx = 0, double vy = 0) {
-  Ball result;
-  result.position = {x, y};
-  result.velocity = {vx, vy};
-  return result;
-}
-
 Scene elastic(double width, double friction, double of_walls) {
-  Scene scene;
-  scene.box.width = width;
-  scene.box.height = 10;
-  scene.effects.walls = Walls{};
-  scene.effects.collisions = Collisions{};
-  scene.effects.gravity = Gravity{{0, -9.81}};
+  Scene scene = elastic_box(width, {0, -9.81});
   scene.effects.friction = Friction{friction, of_walls};
-  scene.solver.method = Method::event;
-  scene.workers = 1;
   return scene;
-}
-
-Simulation at_time(const Scene& scene, double time) {
-  Simulation run(scene);
-  run.advance_to(time);
-  return run;
 }
 
 TEST(EventFrictionRest, elastic_balls_that_slide_on_each_other_pile_up_and_rest) {
