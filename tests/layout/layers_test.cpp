@@ -28,6 +28,7 @@ const std::vector<Layer> kLayers{
     {"engine/src/numbers/", {"numbers/"}},
     {"engine/src/geometry/", {"geometry/"}},
     {"engine/src/contact/factor_pattern", {"contact/", "Eigen/"}},
+    {"engine/src/contact/cone_guess.cpp", {"contact/", "numbers/", "Eigen/"}},
     {"engine/src/trajectory/", {"numbers/", "trajectory/"}},
     {"engine/src/contact/", {"carom/", "numbers/", "geometry/", "state/", "contact/"}},
     {"engine/src/effects/", {"carom/", "state/", "contact/", "effects/"}},

@@ -103,7 +103,7 @@ void expect_loads(const Tower& tower, int height, double heavier, bool again) {
   ConeResponse::Column parting = tower.parting(response);
   for (double& speed : parting) speed *= heavier;
   ConeResponse::Column impulses(response.edges(), 0);
-  ASSERT_TRUE(solve_by_interior_point(response, tower.contacts, parting, 1e-10, again, impulses));
+  ASSERT_TRUE(solve_by_interior_point(response, parting, 1e-10, again, impulses));
   const std::vector<double> loads = tower.loads(response, impulses);
   for (int k = 0; k < height; ++k) {
     EXPECT_NEAR(loads[static_cast<std::size_t>(k)], heavier * (height - k), 1e-5) << k;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "contact/cone_guess.hpp"
 #include "contact/cone_lanes.hpp"
 
 namespace carom::event {
@@ -21,6 +22,8 @@ namespace {
 /// How often what contacts gave way is taken back: at most.
 constexpr int kMostRefinements = 64;
 constexpr int kMostDescents = 1000;
+/// After how many descents the impulses are guessed.
+constexpr int kLongWay = 100;
 
 }  // namespace
 
@@ -44,27 +47,49 @@ void ConeDescent::expand(const Column& parting, Column& impulses, double room) {
   }
 }
 
+void ConeDescent::take_back(Column& parting, const Column& impulses) {
+  const double give = response_.give();
+  for (std::size_t k = 0; k < response_.edges(); k += kLanes) {
+    lanes(&parting[k]) -= give * (lanes(&impulses[k]) - lanes(&anchor_[k]));
+    lanes(&anchor_[k]) = lanes(&impulses[k]);
+  }
+}
+
+void ConeDescent::solve(Column& parting, Column& impulses, double goal) {
+  const Column start = parting;
+  if (descend_again(parting, impulses, goal, kLongWay)) return;
+  parting = start;
+  std::fill(anchor_.begin(), anchor_.end(), 0);
+  if (!guess_cone_impulses(response_, parting, goal, impulses)) {
+    descend_again(parting, impulses, goal, kMostRefinements * kMostDescents);
+    return;
+  }
+  take_back(parting, impulses);
+  // What rounding has left.
+  descend(parting, impulses, goal, kLongWay);
+}
+
 // Contacts give way from where the last solution left them (proximal point method), so that in the
 // end they give way to nothing, however heavy what they carry is.
-void ConeDescent::solve(Column& parting, Column& impulses, double goal) {
+bool ConeDescent::descend_again(Column& parting, Column& impulses, double goal, int at_most) {
   const std::size_t edges = response_.edges();
   const double give = response_.give();
   std::fill(anchor_.begin(), anchor_.end(), 0);
+  int left = at_most;
   for (int round = 0; round < kMostRefinements; ++round) {
-    descend(parting, impulses, goal);
+    left -= descend(parting, impulses, goal, std::min(left, kMostDescents));
+    if (left == 0) return false;
     Lanes most{};
     for (std::size_t k = 0; k < edges; k += kLanes) {
       most = larger_of(most, size_of(give * (lanes(&impulses[k]) - lanes(&anchor_[k]))));
     }
-    if (!(largest(most) > goal / 4)) return;
-    for (std::size_t k = 0; k < edges; k += kLanes) {
-      lanes(&parting[k]) -= give * (lanes(&impulses[k]) - lanes(&anchor_[k]));
-      lanes(&anchor_[k]) = lanes(&impulses[k]);
-    }
+    if (!(largest(most) > goal / 4)) return true;
+    take_back(parting, impulses);
   }
+  return false;
 }
 
-void ConeDescent::descend(const Column& parting, Column& impulses, double goal) {
+int ConeDescent::descend(const Column& parting, Column& impulses, double goal, int at_most) {
   const std::size_t edges = response_.edges();
   const double to_bound = 1 / response_.step();
   response_.times(impulses.data(), slope_.data());
@@ -92,12 +117,13 @@ void ConeDescent::descend(const Column& parting, Column& impulses, double goal) 
     lanes(&impulses[k]) -= length * lanes(&way_[k]);
     lanes(&slope_[k]) -= length * lanes(&change_[k]);
   };
-  for (int round = 0; round < kMostDescents; ++round) {
+  int rounds = 0;
+  for (; rounds < at_most; ++rounds) {
     Lanes remains{};
     for (std::size_t k = 0; k < edges; k += kLanes) {
       remains = larger_of(remains, size_of(free(k) + onto(k)));
     }
-    if (!(largest(remains) > goal)) return;
+    if (!(largest(remains) > goal)) return rounds;
     const auto [off, along] = sums(edges, [&](std::size_t k) -> Two {
       const Lanes down = onto(k);
       const Lanes inside = free(k);
@@ -135,6 +161,7 @@ void ConeDescent::descend(const Column& parting, Column& impulses, double goal) 
       lanes(&way_[k]) = free(k) - turn * lanes(&way_[k]);
     }
   }
+  return rounds;
 }
 
 }  // namespace carom::event

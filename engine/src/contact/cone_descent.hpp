@@ -23,7 +23,12 @@ class ConeDescent {
   void solve(Column& parting, Column& impulses, double goal);
 
  private:
-  void descend(const Column& parting, Column& impulses, double goal);
+  /// Until nothing gives way any more; whether that was reached by so many descents.
+  bool descend_again(Column& parting, Column& impulses, double goal, int at_most);
+  /// Gives how many descents there were.
+  int descend(const Column& parting, Column& impulses, double goal, int at_most);
+  /// What contacts gave way until now.
+  void take_back(Column& parting, const Column& impulses);
   /// Steps onto the bound in the way, and down along it.
   void expand(const Column& parting, Column& impulses, double room);
 

@@ -9,9 +9,8 @@ namespace carom::event {
 namespace {
 
 template <int D>
-bool solve(const ConeResponse& response, const std::vector<ConeContact>& contacts,
-           const ConeResponse::Column& parting, double goal, bool again,
-           ConeResponse::Column& result) {
+bool solve(const ConeResponse& response, const ConeResponse::Column& parting, double goal,
+           bool again, ConeResponse::Column& result) {
   const ConeResponse::Column& inverse_mass = response.inverse_mass();
   double largest_inverse = 0;
   for (const double inverse : inverse_mass) largest_inverse = std::max(largest_inverse, inverse);
@@ -25,12 +24,13 @@ bool solve(const ConeResponse& response, const std::vector<ConeContact>& contact
   const auto sides = [&response](std::size_t k) {
     return D == 3 && response.friction(k) != 0 ? 2U : 1U;
   };
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
+  for (std::size_t k = 0; k < response.contacts(); ++k) {
     for (std::size_t side = 0; side < sides(k); ++side) {
       const double mu = (side == 0 ? 1 : -1) * response.friction(k);
       contact::Row<D> row;
-      row.a = contacts[k].a;
-      row.b = contacts[k].b == kWall ? -1 : contacts[k].b;
+      const auto [a, b] = response.ends(k);
+      row.a = a;
+      row.b = index(b) + 1 < inverse_mass.size() ? b : -1;
       row.j[0] = response.normal_x(k) - mu * response.normal_y(k);
       row.j[1] = response.normal_y(k) + mu * response.normal_x(k);
       if (D == 3) row.j[D - 1] = -mu;
@@ -47,7 +47,7 @@ bool solve(const ConeResponse& response, const std::vector<ConeContact>& contact
   if (!solver.solve(problem, goal, impulses, again ? &last : nullptr).solved) return false;
   std::fill(result.begin(), result.end(), 0);
   std::size_t row = 0;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
+  for (std::size_t k = 0; k < response.contacts(); ++k) {
     for (std::size_t side = 0; side < sides(k); ++side) {
       result[side * response.size() + k] = unit * impulses[row++] / response.scale(k);
     }
@@ -57,11 +57,10 @@ bool solve(const ConeResponse& response, const std::vector<ConeContact>& contact
 
 }  // namespace
 
-bool solve_by_interior_point(const ConeResponse& response, const std::vector<ConeContact>& contacts,
-                             const ConeResponse::Column& parting, double goal, bool again,
-                             ConeResponse::Column& impulses) {
-  return response.has_friction() ? solve<3>(response, contacts, parting, goal, again, impulses)
-                                 : solve<2>(response, contacts, parting, goal, again, impulses);
+bool solve_by_interior_point(const ConeResponse& response, const ConeResponse::Column& parting,
+                             double goal, bool again, ConeResponse::Column& impulses) {
+  return response.has_friction() ? solve<3>(response, parting, goal, again, impulses)
+                                 : solve<2>(response, parting, goal, again, impulses);
 }
 
 }  // namespace carom::event

@@ -13,8 +13,7 @@ namespace carom::event {
 /// Gives whether it found them.  `again`: of the problem that this thread has solved just before,
 /// with other speeds `parting`; it is on the way to that answer that it starts.
 /// Holds: the bits depend on the order of the bodies and contacts, and on mirrors.
-bool solve_by_interior_point(const ConeResponse& response, const std::vector<ConeContact>& contacts,
-                             const ConeResponse::Column& parting, double goal, bool again,
-                             ConeResponse::Column& impulses);
+bool solve_by_interior_point(const ConeResponse& response, const ConeResponse::Column& parting,
+                             double goal, bool again, ConeResponse::Column& impulses);
 
 }  // namespace carom::event

@@ -23,7 +23,7 @@ ConeIsland::ConeIsland(const Bodies& bodies, const Contacts& contacts, std::size
 
 void ConeIsland::solve(double goal, bool again) {
   if (contacts_.size() > few_ &&
-      solve_by_interior_point(response_, contacts_, parting_, goal / 2, again, impulses_)) {
+      solve_by_interior_point(response_, parting_, goal / 2, again, impulses_)) {
     return;
   }
   descent_.solve(parting_, impulses_, goal);

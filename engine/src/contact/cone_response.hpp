@@ -44,6 +44,9 @@ class ConeResponse {
 
   ConeResponse(const std::vector<ConeBody>& bodies, const std::vector<ConeContact>& contacts);
 
+  [[nodiscard]] std::size_t contacts() const { return contacts_; }
+  /// Its two bodies; of a wall the number is one more than that of the last body.
+  [[nodiscard]] const std::array<int, 2>& ends(std::size_t k) const { return ends_[k]; }
   /// Contacts, and some more that do nothing: a whole number of lanes.
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::size_t edges() const { return edges_; }
