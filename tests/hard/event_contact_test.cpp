@@ -109,19 +109,6 @@ TEST(EventContact, balls_that_part_on_a_slope_have_the_momentum_of_their_fall) {
   }
 }
 
-// What is pulled moves: g t^2 / 2, which a step of the island meets to first order.
-// Seen to fail where all that is slow comes to rest.
-TEST(EventContact, a_stack_on_tilted_ice_slides) {
-  for (const double tilt : {1e-4, 1e-6}) {
-    Scene scene = box(0.5, {tilt * kG, -kG});
-    scene.box.width = 100;
-    const Outcome end = run(scene, {ball(5, 0.5), ball(5, 1.5)}, 4);
-    for (const Ball& each : end.balls) {
-      EXPECT_NEAR((each.position.x() - 5) / (tilt * kG * 8), 1, 0.01) << tilt;
-    }
-  }
-}
-
 // By statics friction of tan 15 degrees, 0.268, holds a ball on two.
 TEST(EventContact, a_triangle_stands_by_friction) {
   const std::vector<Ball> balls{ball(5, 0.5), ball(6, 0.5), ball(5.5, 0.5 + std::sqrt(0.75))};

@@ -27,6 +27,12 @@ Stepped stepped(IslandBalls& balls, Index ball) {
   return result;
 }
 
+/// The ball, which stands, was of an island in the step before, too: that has given it half of what
+/// gravity made in it.
+void make_older(IslandBalls& balls, Index ball) {
+  balls.disks[ball].start = -FixedTimeClock::span(1, balls.motion.step_shift());
+}
+
 TEST(IslandStepping, WhatNothingCarriesLeavesAsItWas) {
   IslandBalls balls(island_rules(0.5, 0.5));
   balls.add(0, 0, 3, -2);
@@ -40,7 +46,7 @@ TEST(IslandStepping, WhatNothingCarriesLeavesAsItWas) {
 TEST(IslandStepping, ABallInAGrooveComesToRest) {
   IslandBalls balls(island_rules(0.5, 0.5));
   const double x = std::sqrt(0.75);
-  balls.add(0, 0);
+  make_older(balls, balls.add(0, 0));
   balls.add_fixed(x, -0.5);
   balls.add_fixed(-x, -0.5);
   const Stepped after = stepped(balls, 0);
@@ -52,18 +58,36 @@ TEST(IslandStepping, ABallInAGrooveComesToRest) {
   }
 }
 
-// 30 degrees from the top: along the slope it gets g h sin 30.
+// 30 degrees from the top: along the slope it gets g h sin 30, and half of that when it joins.
 TEST(IslandStepping, ABallOnASlopeSlidesOn) {
+  for (const bool joins : {true, false}) {
+    IslandBalls balls(island_rules(0.5, 0.5));
+    balls.add(0.5, std::sqrt(0.75));
+    if (!joins) make_older(balls, 0);
+    balls.add_fixed(0, 0);
+    const Stepped after = stepped(balls, 0);
+    EXPECT_EQ(after.island.support[0], kStepped);
+    const Vec<double>& v = after.island.bodies[0].velocity;
+    const double speed = (joins ? 0.5 : 1) * balls.motion.speed_of_step();
+    EXPECT_NEAR(v.x, speed * 0.5 * std::sqrt(0.75), 1e-3 * speed);
+    EXPECT_NEAR(v.y, -speed * 0.25, 1e-3 * speed);
+    EXPECT_EQ(after.change.counts.resting_contacts, 0U);
+  }
+}
+
+// What was given half of what gravity makes in its flight gets the other half, with the speed that
+// a ball has that was free all the time; then gravity has given nothing ahead.
+TEST(IslandStepping, WhatNothingCarriesAnyMoreLeavesWithAllThatGravityMade) {
   IslandBalls balls(island_rules(0.5, 0.5));
-  balls.add(0.5, std::sqrt(0.75));
-  balls.add_fixed(0, 0);
+  balls.add(0, 0, 3, -2);
+  make_older(balls, 0);
+  const double h = balls.motion.seconds_of_step();
   const Stepped after = stepped(balls, 0);
-  EXPECT_EQ(after.island.support[0], kStepped);
-  const Vec<double>& v = after.island.bodies[0].velocity;
-  const double speed = balls.motion.speed_of_step();
-  EXPECT_NEAR(v.x, speed * 0.5 * std::sqrt(0.75), 1e-3 * speed);
-  EXPECT_NEAR(v.y, -speed * 0.25, 1e-3 * speed);
-  EXPECT_EQ(after.change.counts.resting_contacts, 0U);
+  EXPECT_EQ(after.island.support[0], 0U);
+  EXPECT_EQ(after.island.bodies[0].velocity, (Vec<double>{3, -2 - h / 2}));
+  // It is counted with the energy of its middle, and of the place where it was then:
+  // (2 + h / 2)^2 / 2 = 2^2 / 2 + 2 h / 2 + (h / 2)^2 / 2.
+  EXPECT_NEAR(after.change.carried.lost, -h * h / 8, 1e-15);
 }
 
 TEST(IslandStepping, ABallThatOnlyAWallCarriesSlidesAlongItOnItsOwn) {

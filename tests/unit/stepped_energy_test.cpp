@@ -23,9 +23,9 @@ SteppedEnergy energy(bool keeps) {
   return SteppedEnergy({kPull, keeps, 0x1p-31, 0x1p-20});
 }
 
-// m v^2 + m (r w)^2 / 2 of disks, and 2 h m g v of what is stepped.
+// m v^2 + m (r w)^2 / 2 of disks, and h m g v of what is stepped: twice what it gets in half of h.
 TEST(SteppedEnergy, IsWhatMovesLessWhatGravityHasGivenAhead) {
-  const auto parts = energy(false).of(of_two(kStepped, 0), 0.25);
+  const auto parts = energy(false).of(of_two(kStepped, 0), {0.5});
   EXPECT_EQ(parts.stepped, 2 * 10 + 2 * 4 / 2);
   EXPECT_EQ(parts.others, 4);
   EXPECT_EQ(parts.ahead, 2 * 0.25 * 2 * (-2 * 1));
@@ -34,9 +34,9 @@ TEST(SteppedEnergy, IsWhatMovesLessWhatGravityHasGivenAhead) {
 
 TEST(SteppedEnergy, IsLostButForWhatWasLifted) {
   IslandMotion island = of_two(kStepped, 0);
-  EXPECT_EQ(energy(false).loss(island, 40, 0.25), 5);
+  EXPECT_EQ(energy(false).loss(island, 40, {0.5}), 5);
   island.lifted = 2;
-  EXPECT_EQ(energy(false).loss(island, 40, 0.25), 3);
+  EXPECT_EQ(energy(false).loss(island, 40, {0.5}), 3);
 }
 
 // Random islands that have too much or too little: afterwards what is stepped has no more than
@@ -55,11 +55,11 @@ TEST(SteppedEnergy, IsKept) {
     for (const bool keeps : {false, true}) {
       const SteppedEnergy rule = energy(keeps);
       IslandMotion kept = island;
-      const double now = rule.of(island, 0.01).all();
+      const double now = rule.of(island, {0.01}).all();
       // Not less than what the others have, which are not slowed down.
-      const double had = rule.of(island, 0.01).others + now * (0.1 + std::abs(normal(random)));
-      const bool changed = rule.keep(kept, had, 0.01, false);
-      const double after = rule.of(kept, 0.01).all();
+      const double had = rule.of(island, {0.01}).others + now * (0.1 + std::abs(normal(random)));
+      const bool changed = rule.keep(kept, had, {0.01}, false);
+      const double after = rule.of(kept, {0.01}).all();
       if (!keeps) {
         EXPECT_EQ(changed, now > had);
         EXPECT_LE(after, had * (1 + 1e-14));
@@ -80,10 +80,10 @@ TEST(SteppedEnergy, IsKept) {
 
 TEST(SteppedEnergy, MayBeLessWhereTheIslandGivesUp) {
   IslandMotion island = of_two(kStepped, kStepped);
-  const double now = energy(true).of(island, 0).all();
-  EXPECT_FALSE(energy(true).keep(island, 2 * now, 0, true));
-  EXPECT_TRUE(energy(true).keep(island, now / 2, 0, true));
-  EXPECT_NEAR(energy(true).of(island, 0).all(), now / 2, 1e-14);
+  const double now = energy(true).of(island, {}).all();
+  EXPECT_FALSE(energy(true).keep(island, 2 * now, {}, true));
+  EXPECT_TRUE(energy(true).keep(island, now / 2, {}, true));
+  EXPECT_NEAR(energy(true).of(island, {}).all(), now / 2, 1e-14);
 }
 
 // Two that come to rest may lose what they had at that speed: v^2 (m1 + m2).

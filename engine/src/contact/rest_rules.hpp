@@ -36,10 +36,12 @@ namespace carom::event {
 // Rule 3, islands.  A contact that lasts and slides (a ball on the side of another, a pile that
 // creeps) has no closed form.  Under gravity and with losses the balls of such contacts are a
 // island, which is stepped: at every whole multiple of a power of two of ticks, h, about 2^-5 of
-// the time of a fall through the largest radius, each of its balls gets g h, with drag g (1 -
-// exp(-k h)) / k, and the least impulses by which no contact closes beyond touching until the next
-// step, friction included, and flies straight till then.  Impacts with others still come at their
-// own times.  Two join an island by an impact
+// the time of a fall through the largest radius, each of its balls gets g h and the least impulses
+// by which no contact closes beyond touching until the next step, friction included, and flies
+// straight till then.  So its speed is that of the middle of its flight: what joins gets g h / 2,
+// or as much of less than a step, what leaves or is hit on its way what it is owed, and the energy
+// of a flight is that of its middle.  Impacts with others still come at their own times.  Two join
+// an island by an impact
 //   - after which they would meet again within a step, as gravity presses them together,
 //   - or shortly after both have been hit: within 2^-12 sqrt(s/g), and 2^-12 of s: contacts last
 //     so long (Luding and McNamara, Granular Matter 1 (1998) 113).
@@ -56,10 +58,11 @@ namespace carom::event {
 // with these.  Two that will meet by then bounce at once, so fast as they will be when they are
 // back where they are, or are held from closing if they would not get there, and so are near ones
 // that this drives together.  A ball that nothing in the island carries leaves it. An island gains
-// no energy, counted without what gravity has given it ahead of its fall.  Where nothing loses
-// energy along a normal, a step holds only what approaches no faster than 2 h (g + u^2 / s), u the
-// slip, as gravity and the turning normal of a contact that lasts make it; what comes faster, or
-// to a wall, is an impact at its own time.
+// no energy, but what the turning normals of its contacts took before.  Where nothing loses energy
+// along a normal, a step holds only what approaches no faster than 2 h (g + u^2 / s), u the slip,
+// as gravity and the turning normal of a contact that lasts make it; what comes faster, or to a
+// wall, is an impact at its own time.  What presses in a step that would hold what moves, as one
+// that closes a wedge does, is a joint impact.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of

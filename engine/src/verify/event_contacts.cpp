@@ -111,7 +111,7 @@ double shaken_overlap(const Trial& trial) {
 std::vector<Case> event_contact_cases() {
   return {
       {"rolling", {{Method::event, "speed and spin, relative", 1e-12, rolling_speed}}},
-      {"tilt", {{Method::event, "way of a stack, relative", 0.01, tilt_way}}},
+      {"tilt", {{Method::event, "way of a stack, relative", 1e-7, tilt_way}}},
       {"lattice",
        {{Method::event, "energy, relative", 1e-12, lattice_energy},
         {Method::event, "balls that see their order", 0, lattice_order}}},

@@ -58,6 +58,11 @@ void EventLoop<P>::meet_alone(Index i, Index partner, At now) {
     const Index was_left = disks_[i].start == now ? left(i) : kUnknown;
     book_.note(motion_.bounce(disks_[i], spin(i), partner, now));
     ++counts_.ball_wall;
+    if (jam_watch_.level().jammed() && motion_.elastic()) {
+      const double lost = motion_.end_bounce(disks_[i], partner);
+      if (lost > 0) ++counts_.jammed;
+      book_.note(lost);
+    }
     // In a gap of zero between the two it goes on along both: what is left of its approach is
     // rounding.
     const bool along =
@@ -95,6 +100,13 @@ void EventLoop<P>::meet(Index i, At now) {
   }
   schedule_.forget(i);
   if (partner == kCarry) {
+    if (motion_.support(disks_[i]) == kStepped) {
+      // What gravity owes it, it owes to its island.
+      watch(now);
+      hit_islands({{i}}, now);
+      predict_changed(now);
+      return;
+    }
     if (!left_.empty()) left_[i] = kUnknown;
     motion_.carry(disks_[i], now, spin(i));
     predict_again(i, now);

@@ -30,10 +30,8 @@ void EventLoop<P>::hit_islands(const std::vector<std::vector<Index>>& hits, At n
   if (hits.empty()) return;
   const Stopwatch stopwatch(true, costs_.island_seconds());
   schedule_step(now);
-  double span = 0;  // until the next step; 0: for ever
-  if (step_clock_.runs()) {
-    span = motion_.stepped_way(motion_.rules().scale.seconds(step_clock_.next() - now));
-  }
+  SteppedFlight next;
+  if (step_clock_.runs()) next = motion_.stepped_flight(now, step_clock_.next());
   for (FoundIsland& island : island_search_.of_hits(hits, now)) {
     resolutions_.begin();
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
@@ -43,7 +41,7 @@ void EventLoop<P>::hit_islands(const std::vector<std::vector<Index>>& hits, At n
           c.b == kWall ? island.near[k].partner : island.members[static_cast<std::size_t>(c.b)];
       pairs_.note_resolved(island.members[static_cast<std::size_t>(c.a)], other);
     }
-    take_on(island, island_impact_.resolve(island, span, now), now);
+    take_on(island, island_impact_.resolve(island, next, now), now);
     resolutions_.end();
   }
 }
@@ -72,13 +70,19 @@ void EventLoop<P>::solve_island(std::size_t k) {
   const bool hit = std::any_of(island.near.begin(), island.near.end(),
                                [](const auto& near) { return near.comes; });
   if (hit) {
-    const Time span = P::Clock::span(1, motion_.step_shift());
-    const double way = motion_.stepped_way(motion_.rules().scale.seconds(span));
-    change = island_impact_.resolve(island, way, step_time_, true);
-  } else {
-    const auto number = P::Clock::steps(step_time_, motion_.step_shift());
-    change = island_stepping_.step(island, number % kAskedAgain == 0);
+    change = island_impact_.resolve(island, motion_.whole_flight(), step_time_, true);
+    return;
   }
+  FoundIsland before;
+  if (motion_.keeps_energy()) before = island;
+  const auto number = P::Clock::steps(step_time_, motion_.step_shift());
+  change = island_stepping_.step(island, number % kAskedAgain == 0);
+  if (change.counts.jammed == 0) return;
+  IslandChange turned = island_impact_.turn(before, change, step_time_);
+  if (turned.counts.jammed > 0 && std::abs(turned.carried.lost) >= std::abs(change.carried.lost))
+    return;
+  island = std::move(before);
+  change = std::move(turned);
 }
 
 template <class P>

@@ -9,6 +9,7 @@
 #include "contact/pair_impact.hpp"
 #include "numbers/scalar.hpp"
 #include "solvers/event/disk.hpp"
+#include "solvers/event/islands/stepped_flight.hpp"
 #include "solvers/event/lanes.hpp"
 #include "solvers/event/meeting.hpp"
 #include "solvers/event/physics.hpp"
@@ -81,6 +82,9 @@ class Motion {
   /// `spin`: of the ball, counter-clockwise; null where balls have no friction.
   /// Gives the energy that the impact takes.
   double bounce(Disk& disk, S* spin, Index wall, At now) const;
+  /// A ball that has bounced off a wall which gravity presses it to, so slowly that it is back
+  /// shortly, stays there; gives the energy that this takes.
+  double end_bounce(Disk& disk, Index wall) const;
   struct Strike {
     double overlap;  ///< how deep the two overlapped, as a part of the smaller radius
     double lost;     ///< the energy that it takes
@@ -134,9 +138,11 @@ class Motion {
   [[nodiscard]] bool clusters() const { return rests_ && !(pull_ > 0); }
   /// Nothing loses energy along a normal: contacts rest only where nothing moves along it.
   [[nodiscard]] bool elastic() const { return elastic_; }
-  /// Nothing loses energy at all.
+  /// The same of impacts alone: something else may take energy.
+  [[nodiscard]] bool elastic_impacts() const { return elastic_impacts_; }
+  /// Nothing loses energy but drag.
   [[nodiscard]] bool keeps_energy() const {
-    return elastic_ && rules_.friction == 0 && rules_.wall_friction == 0;
+    return elastic_impacts_ && rules_.friction == 0 && rules_.wall_friction == 0;
   }
   /// It moves, and nothing carries it.
   [[nodiscard]] bool flies(const Disk& disk) const {
@@ -210,11 +216,16 @@ class Motion {
   /// What gravity makes in a step.
   [[nodiscard]] const S& speed_of_step() const { return speed_of_step_; }
   [[nodiscard]] const S& pull() const { return pull_; }
-  /// How far what is stepped goes in so many seconds at a speed of 1, and how fast gravity makes it
-  /// in an acceleration of 1: drag slows it.
-  [[nodiscard]] double stepped_way(const S& seconds) const;
-  /// The energy that gravity has given to what is stepped ahead of what it falls until the next
-  /// step.
+  /// The flight of what is stepped until the next step.
+  [[nodiscard]] SteppedFlight stepped_flight(At start, At next) const;
+  /// The same from one step to the next.
+  [[nodiscard]] SteppedFlight whole_flight() const {
+    return stepped_flight(Time(0), P::Clock::span(1, step_shift_));
+  }
+  /// Of one of an island; `next`: the step at which its flight ends.
+  [[nodiscard]] GravityOfFlight gravity_of(const Disk& disk, At now, At next) const;
+  /// The energy that gravity has given to what is stepped ahead of what it falls until the middle
+  /// of its flight.
   [[nodiscard]] double given_ahead(const Disk& disk, At now, At next) const;
   /// The seconds of a step.
   [[nodiscard]] S seconds_of_step() const { return speed_of_step_ / pull_; }
@@ -285,6 +296,7 @@ class Motion {
   bool bends_ = false;
   bool rests_ = false;
   bool elastic_ = false;
+  bool elastic_impacts_ = false;
   std::vector<typename P::Law> supported_laws_;  ///< by what carries
   double largest_radius_ = 0;
   std::size_t plain_species_ = 1;  ///< without what carries them

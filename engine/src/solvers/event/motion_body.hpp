@@ -41,6 +41,7 @@ Motion<P>::Motion(Rules rules)
   const Vec<S>& g = law_.pull();
   pull_ = root(S(g.x * g.x + g.y * g.y));
   elastic_ = !can_rest(rules_);
+  elastic_impacts_ = !(rules_.restitution < 1) && !(rules_.wall_restitution < 1);
   add_supported_species();
 }
 
@@ -149,10 +150,10 @@ Meeting<P> Motion<P>::wall_meeting(const Disk& disk, std::size_t axis, bool low,
   if (contacts_last()) {
     // The step of its island has seen to it.
     const Index wall = kWalls + side;
-    const double part = elastic_ ? kTouching : kNear;
+    const double part = elastic_impacts_ ? kTouching : kNear;
     const S speed = absolute(v);
     if (stepped(disk) && !(this->wall(disk, {disk.x, disk.y}, wall).gap > 2 * radius * part) &&
-        !(elastic_ && speed > lasting_speed(S(0), S(1)))) {
+        !(elastic_impacts_ && speed > lasting_speed(S(0), S(1)))) {
       return {};
     }
   }

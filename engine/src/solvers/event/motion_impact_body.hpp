@@ -5,6 +5,7 @@
 #include "contact/dissipation.hpp"
 #include "contact/pair_friction.hpp"
 #include "contact/pair_impact.hpp"
+#include "contact/rest_rules.hpp"
 #include "solvers/event/motion.hpp"
 
 namespace carom::event {
@@ -32,6 +33,18 @@ double Motion<P>::bounce(Disk& disk, S* spin, Index wall, At now) const {
     lost += lost_to_restitution(speed, rules_.wall_restitution * speed,
                                 static_cast<double>(species(disk).inverse_mass));
   }
+  return lost;
+}
+
+template <class P>
+double Motion<P>::end_bounce(Disk& disk, Index wall) const {
+  const std::size_t axis = (wall - kWalls) / 2;
+  const int side = (wall - kWalls) % 2 == 1 ? -1 : 1;
+  S& v = axis == 0 ? disk.vx : disk.vy;
+  const S pressing = -side * law_.pull(axis);
+  if (!barely_bounces(S(side * v), pressing, S(2 * species(disk).radius))) return 0;
+  const double lost = moving_energy(disk, v);
+  v = 0;
   return lost;
 }
 

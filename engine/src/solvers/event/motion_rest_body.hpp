@@ -142,7 +142,7 @@ bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const {
   const Vec<S> r = way({a.x, a.y}, {b.x, b.y});
   const S reach = species(a).radius + species(b).radius;
   if (!near(r, reach, S(kNear))) return false;
-  if (!elastic_) return true;
+  if (!elastic_impacts_) return true;
   const Vec<S> v{b.vx - a.vx, b.vy - a.vy};
   const S distance = root(S(r.x * r.x + r.y * r.y));
   return -sharp_dot(r, v) <= distance * lasting_speed(S(cross(r, v) / distance), reach);
@@ -252,14 +252,26 @@ auto Motion<P>::meeting_wait(const Disk& earlier, const Disk& later, const S& re
 }
 
 template <class P>
-double Motion<P>::stepped_way(const S& seconds) const {
-  const Flight<S> flight{{S(0), S(0)}, {S(1), S(0)}};
-  return static_cast<double>(supported_laws_[kLying].displacement(flight, seconds).x);
+auto Motion<P>::stepped_flight(At start, At next) const -> SteppedFlight {
+  return {static_cast<double>(rules_.scale.seconds(next - start)), rules_.drag_rate};
+}
+
+// What rests has had a step's flight before each step.
+template <class P>
+auto Motion<P>::gravity_of(const Disk& disk, At now, At next) const -> GravityOfFlight {
+  if (support(disk) == kResting && now == next) {
+    const SteppedFlight flight = whole_flight();
+    return {flight.owed(flight.seconds), 0};
+  }
+  if (support(disk) != kStepped) return {};
+  const SteppedFlight flight = stepped_flight(disk.start, next);
+  const auto elapsed = static_cast<double>(rules_.scale.seconds(now - disk.start));
+  return {flight.owed(elapsed), flight.ahead(elapsed)};
 }
 
 template <class P>
 double Motion<P>::given_ahead(const Disk& disk, At now, At next) const {
-  const S span = stepped_way(rules_.scale.seconds(next - now));
+  const S span = gravity_of(disk, now, next).ahead;
   const Vec<S>& g = law_.pull();
   const Vec<S> v = velocity(disk, now);
   return static_cast<double>(S(span * (g.x * v.x + g.y * v.y) / species(disk).inverse_mass));

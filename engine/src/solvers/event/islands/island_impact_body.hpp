@@ -17,15 +17,18 @@ namespace carom::event {
 // slowing down others makes up for it, and where that is not enough.
 inline constexpr double kMade = 0x1p-4;
 inline constexpr double kMadeForGood = 0x1p-20;
+// Contacts that miss what is asked of them by more than so many times what may remain have no room.
+inline constexpr double kAmiss = 64;
 // What bounces less bounces half as much, and less than this part not at all.
 inline constexpr double kLeastPart = 0x1p-4;
 
-// Who leaves falls by itself until the next step: what gravity has given it ahead is taken back,
-// but for what the contacts that it presses on have taken of that. Where nothing else loses energy,
-// one factor for the whole island sees to that.
+// Who leaves falls by itself until the next step: what gravity has given it ahead is taken back, or
+// given if it is owed, but for what the contacts that it presses on have taken of that. Where
+// nothing else loses energy, one factor for the whole island sees to that.
 template <class P>
-void IslandImpact<P>::take_back(Island& island, double span) const {
-  const Vec<double> given = span * in_double(motion_.law().pull());
+void IslandImpact<P>::take_back(Island& island) const {
+  const double part = motion_.whole_flight().given();
+  const Vec<double> given = part * in_double(motion_.law().pull());
   std::vector<ConeBody> ahead = island.bodies;
   for (std::size_t m = 0; m < ahead.size(); ++m) {
     ahead[m].velocity = island.support[m] >= kResting ? given : Vec<double>{0, 0};
@@ -45,45 +48,44 @@ void IslandImpact<P>::take_back(Island& island, double span) const {
   }
   ConeIsland(ahead, pressed).resolve(ahead, 0, kSolved * still);
   for (std::size_t m = 0; m < ahead.size(); ++m) {
+    const double owed = std::exchange(island.gravity[m], {}).owed / part;
     if (island.support[m] != kStepped) continue;
-    island.bodies[m].velocity = island.bodies[m].velocity - ahead[m].velocity;
-    island.bodies[m].turning -= ahead[m].turning;
+    island.bodies[m].velocity = island.bodies[m].velocity + owed * ahead[m].velocity;
+    island.bodies[m].turning += owed * ahead[m].turning;
   }
 }
 
 // A hit of an island whose contacts lose nothing along their normals is a joint impact of all that
 // touches.
 template <class P>
-auto IslandImpact<P>::reflect(Island& island, IslandHits& hits) const -> Reflection {
-  Reflection reflection;
-  if (hits.all() > 0) {
-    std::vector<Body<double>> bodies;
-    for (const ConeBody& body : island.bodies) bodies.push_back({body.velocity, body.inverse_mass});
-    std::vector<Contact<double>> contacts;
-    const double restitution = impulses_.gives_up() ? 0 : 1;
-    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-      const ConeContact& c = island.contacts[k];
-      if (island.touches[k] == 0) continue;
-      if (c.b != kWall) {
-        contacts.push_back({c.a, c.b, in_double(island.near[k].r), restitution});
-      } else if (island.near[k].partner >= kFirstMark) {
-        contacts.push_back({c.a, kWall, c.normal, restitution});
-      } else {
-        contacts.push_back(
-            {c.a, static_cast<int>(bodies.size()), in_double(island.near[k].r), restitution});
-        bodies.push_back({{0, 0}, 0});
-      }
-    }
-    const JointReport report = joint_impact<double>(bodies, contacts);
-    reflection.jammed =
-        impulses_.gives_up() ? contacts.size() : static_cast<std::uint64_t>(report.jammed);
-    reflection.held = report.held_energy;
-    for (std::size_t m = 0; m < island.bodies.size(); ++m) {
-      island.bodies[m].velocity = bodies[m].velocity;
+auto IslandImpact<P>::reflect(Island& island) const -> Reflection {
+  std::vector<Body<double>> bodies;
+  for (const ConeBody& body : island.bodies) bodies.push_back({body.velocity, body.inverse_mass});
+  std::vector<Contact<double>> contacts;
+  const auto restitution = [this](double of_impact) {
+    return impulses_.gives_up() ? 0 : of_impact;
+  };
+  const double of_balls = restitution(static_cast<double>(motion_.rules().restitution));
+  const double of_walls = restitution(static_cast<double>(motion_.rules().wall_restitution));
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const ConeContact& c = island.contacts[k];
+    if (island.touches[k] == 0) continue;
+    if (c.b != kWall) {
+      contacts.push_back({c.a, c.b, in_double(island.near[k].r), of_balls});
+    } else if (island.near[k].partner >= kFirstMark) {
+      contacts.push_back({c.a, kWall, c.normal, of_walls});
+    } else {
+      contacts.push_back(
+          {c.a, static_cast<int>(bodies.size()), in_double(island.near[k].r), of_balls});
+      bodies.push_back({{0, 0}, 0});
     }
   }
-  note_who_stays(island, hits);
-  return reflection;
+  const JointReport report = joint_impact<double>(bodies, contacts);
+  for (std::size_t m = 0; m < island.bodies.size(); ++m) {
+    island.bodies[m].velocity = bodies[m].velocity;
+  }
+  return {impulses_.gives_up() ? contacts.size() : static_cast<std::uint64_t>(report.jammed),
+          report.held_energy};
 }
 
 // What is pressed on after a joint impact, and has no speed along the normal, stays.
@@ -128,14 +130,12 @@ void IslandImpact<P>::put_on_walls(Island& island) const {
 
 // What leaves an island, and still comes nearer to what it touches, stays.
 template <class P>
-void IslandImpact<P>::hold_on(Island& island, double span, double goal, std::vector<double>& loads,
-                              double opens) const {
-  const Vec<double> g = in_double(motion_.law().pull());
+void IslandImpact<P>::hold_on(Island& island, const Try& of, std::vector<double>& loads) const {
   for (bool more = true; more;) {
-    impulses_.press(island, span, goal, loads, opens);
-    for (int turn = 0; turn < kMostTurns && motion_.elastic() && span > 0; ++turn) {
-      if (!impulses_.closes(island, span)) break;
-      impulses_.press(island, span, goal, loads, opens);
+    impulses_.press(island, of.next, of.goal, loads, of.opens);
+    for (int turn = 0; turn < kMostTurns && motion_.elastic() && of.next.seconds > 0; ++turn) {
+      if (!impulses_.closes(island, of.next)) break;
+      impulses_.press(island, of.next, of.goal, loads, of.opens);
     }
     more = false;
     for (std::size_t k = 0; k < island.contacts.size() && !motion_.elastic(); ++k) {
@@ -144,11 +144,10 @@ void IslandImpact<P>::hold_on(Island& island, double span, double goal, std::vec
       if (wall || island.touches[k] == 0 || !(approach(island, k) > 0)) continue;
       for (const int body : {c.a, c.b}) {
         if (body == kWall) continue;
-        unsigned& support = island.support[static_cast<std::size_t>(body)];
-        if (support == kStepped) continue;
-        support = kStepped;
-        Vec<double>& v = island.bodies[static_cast<std::size_t>(body)].velocity;
-        v = v + span * g;
+        const auto m = static_cast<std::size_t>(body);
+        if (island.support[m] == kStepped) continue;
+        island.support[m] = kStepped;
+        pull(island, m, of.next);
         more = true;
       }
     }
@@ -156,10 +155,10 @@ void IslandImpact<P>::hold_on(Island& island, double span, double goal, std::vec
 }
 
 // What comes to many is turned round ahead of its impact: at a place where it will be as fast as
-// this on its way back. It then has what gravity makes till the next step.
+// this on its way back. It then has what gravity makes in the first half of its flight.
 template <class P>
 double IslandImpact<P>::parting(const Island& island, std::size_t k, const IslandHits& hits,
-                                double span) const {
+                                const SteppedFlight& next) const {
   if (!is_large(island)) return hits.restitution * approach(island, k);
   const ConeContact& c = island.contacts[k];
   const bool wall = c.b == kWall && island.near[k].partner >= kFirstMark;
@@ -175,60 +174,85 @@ double IslandImpact<P>::parting(const Island& island, std::size_t k, const Islan
   }
   const double lower = 2 * pressing * std::max(c.gap, 0.0) * (1 - restitution) * (1 + restitution);
   const double square = away * away - lower;
-  return square > 0 ? std::max(std::sqrt(square) - pressing * span, 0.0) : 0;
+  return square > 0 ? std::max(std::sqrt(square) - pressing * next.given(), 0.0) : 0;
 }
 
 template <class P>
-void IslandImpact<P>::give_support(Island& island, const IslandHits& hits, double span, bool gives,
-                                   std::vector<Index>& woken) const {
-  const Vec<double> g = in_double(motion_.law().pull());
+void IslandImpact<P>::pull(Island& island, std::size_t m, const SteppedFlight& next) const {
+  Vec<double>& v = island.bodies[m].velocity;
+  v = v + (island.gravity[m].owed + next.given()) * in_double(motion_.law().pull());
+}
+
+template <class P>
+void IslandImpact<P>::give_support(Island& island, const IslandHits& hits,
+                                   const SteppedFlight& next, std::vector<Index>& woken) const {
   const bool keeps_all = !motion_.elastic() || impulses_.gives_up();
   const bool large = !motion_.elastic() && is_large(island);
   for (std::size_t m = 0; m < island.members.size(); ++m) {
     unsigned& support = island.support[m];
     if (support == kResting) woken.push_back(island.members[m]);
     const bool of_it = (support >= kResting && keeps_all) || hits.stays[m] != 0 || large;
-    if (of_it && (gives || support != kStepped)) {
-      // It has not been given what gravity makes till the next step.
-      island.bodies[m].velocity = island.bodies[m].velocity + span * g;
-    }
+    if (of_it) pull(island, m, next);
     support = of_it ? kStepped : 0;
   }
+}
+
+template <class P>
+bool IslandImpact<P>::reflects(const Island& island, const IslandHits& hits) const {
+  const auto& rules = motion_.rules();
+  return !is_large(island) && hits.bounces && !(rules.restitution < 1) &&
+         !(rules.wall_restitution < 1) && rules.friction == 0 && rules.wall_friction == 0;
+}
+
+template <class P>
+bool IslandImpact<P>::has_room(const Island& island, const Try& of) const {
+  const double rate = of.next.seconds > 0 ? 1 / of.next.way() : 0;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const ConeContact& c = island.contacts[k];
+    const double most = c.parting > 0 ? -c.parting : rate * std::max(c.gap, 0.0);
+    if (approach(island, k) > most + kAmiss * of.goal) return false;
+  }
+  return true;
 }
 
 // As `hold_on`, with what bounces parting as fast as its contacts ask for, times `part`; no energy
 // is made where that can be mended by slowing down what is stepped.
 template <class P>
-bool IslandImpact<P>::bounce(Island& island, const IslandHits& hits, const Try& of, double part,
-                             IslandChange& change) const {
+auto IslandImpact<P>::bounce(Island& island, const IslandHits& hits, const Try& of, double part,
+                             IslandChange& change) const -> Bounce {
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     island.contacts[k].parting = hits.parts[k] != 0 ? part * of.parting[k] : 0;
   }
-  give_support(island, hits, of.span, of.gives, change.woken);
+  give_support(island, hits, of.next, change.woken);
   std::vector<double>& loads = change.carried.impulses;
   loads.assign(island.contacts.size(), 0);
-  hold_on(island, of.span, of.goal, loads, of.opens);
+  hold_on(island, of, loads);
   put_on_walls(island);
+  const bool fits = !(part > 0) || has_room(island, of);
   for (ConeContact& contact : island.contacts) contact.parting = 0;
+  if (!fits) return Bounce::has_no_room;
   const SteppedEnergy& energy = impulses_.energy();
+  const double back = motion_.keeps_energy() ? 0 : energy.given_back(island, of.before, of.next);
   const auto makes = [&](double most) {
-    const SteppedEnergy::Parts now = energy.of(island, of.span);
-    return now.all() - of.had > most * (now.stepped + now.others);
+    const SteppedEnergy::Parts now = energy.of(island, of.next);
+    return now.all() - of.had - back > most * (now.stepped + now.others);
   };
-  if (part > 0 && makes(kMade)) return false;
-  if (energy.keep(island, of.kept, of.span, impulses_.gives_up())) {
+  if (part > 0 && makes(kMade)) return Bounce::makes_energy;
+  if (energy.keep(island, of.kept + back, of.next, impulses_.gives_up())) {
     if (motion_.keeps_energy()) {
-      impulses_.keep_gaps(island, of.kept, of.span, of.goal, loads);
+      impulses_.keep_gaps(island, of.kept, of.next, of.goal, loads);
     } else {
-      hold_on(island, of.span, of.goal, loads, of.opens);
+      hold_on(island, of, loads);
       put_on_walls(island);
     }
   }
-  return !(part > 0 && makes(kMadeForGood));
+  return part > 0 && makes(kMadeForGood) ? Bounce::makes_energy : Bounce::done;
 }
 
 template <class P>
-IslandChange IslandImpact<P>::resolve(Island& island, double span, At now, bool steps) const {
+IslandChange IslandImpact<P>::resolve(Island& island, const SteppedFlight& next, At now,
+                                      Kind kind) const {
+  const bool steps = kind != Kind::impact;
   IslandChange change;
   Counts& counts = change.counts;
   IslandHits hits = hits_of(motion_, disks_, island, now, steps);
@@ -238,7 +262,8 @@ IslandChange IslandImpact<P>::resolve(Island& island, double span, At now, bool 
   if (hits.all() > 1) counts.joint_impacts = 1;
 
   const SteppedEnergy& energy = impulses_.energy();
-  const double had = energy.of(island, steps ? 0 : span).all();
+  const double had = energy.so_far(island);
+  std::vector<ConeBody> before = island.bodies;
   const bool elastic = motion_.elastic();
   // What a joint impact has left is only what gravity makes until the next step.
   const double goal = elastic ? std::max(kSolved * static_cast<double>(motion_.speed_of_step()),
@@ -247,39 +272,58 @@ IslandChange IslandImpact<P>::resolve(Island& island, double span, At now, bool 
                               : kSolved * hits.fastest;
   const double opens = steps ? impulses_.opens() : 0;
   const bool takes_back =
-      elastic && !motion_.keeps_energy() && !steps && span > 0 && !impulses_.gives_up();
-  if (takes_back) take_back(island, span);
-  const double has = takes_back ? energy.of(island, 0).all() : had;
+      elastic && !motion_.keeps_energy() && !steps && next.seconds > 0 && !impulses_.gives_up();
+  if (takes_back) take_back(island);
+  const double has = energy.so_far(island);
   double held = 0;
   std::vector<double> parting(island.contacts.size(), 0);
-  if (elastic) {
-    const Reflection reflection = reflect(island, hits);
+  const auto reflect = [&] {
+    const Reflection reflection = this->reflect(island);
     counts.jammed = reflection.jammed;
     held = reflection.held;
+  };
+  const bool joint = !elastic && (kind == Kind::turn || reflects(island, hits));
+  if (joint || (elastic && hits.all() > 0)) reflect();
+  if (elastic) {
+    note_who_stays(island, hits);
   } else if (hits.bounces) {
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-      if (hits.parts[k] != 0) parting[k] = this->parting(island, k, hits, span);
+      if (hits.parts[k] != 0) parting[k] = this->parting(island, k, hits, next);
     }
   }
-  const Try of{std::move(parting), span, steps || takes_back, goal, opens, has, has - 2 * held};
-  if (elastic || !hits.bounces) {
+  const Try of{std::move(parting), next, goal, opens, std::move(before), has, has - 2 * held};
+  if (elastic || joint || !hits.bounces) {
     (void)bounce(island, hits, of, 0, change);
   } else {
     // In a wedge what parts as fast as it is asked to may take others along faster than there is
-    // energy for.
-    const Island before = island;
-    for (double part = 1; !bounce(island, hits, of, part, change);) {
-      island = before;
+    // energy for, or have no way to go: then, of few, it is a joint impact.
+    const Island was = island;
+    double part = 1;
+    for (Bounce result; (result = bounce(island, hits, of, part, change)) != Bounce::done;) {
+      island = was;
       change.woken.clear();
       part = part > kLeastPart ? part / 2 : 0;
+      if (result == Bounce::makes_energy || is_large(island)) continue;
+      reflect();
+      part = 0;
     }
   }
   if (!change.woken.empty()) counts.wakes = 1;
-  const double lost = energy.loss(island, had, span);
+  const double lost = energy.loss(island, had, next);
   if (!(held > 0) && energy.is_held(island, lost)) ++counts.jammed;
   change.carried.counted = std::move(hits.counted);
   change.carried.lost = lost;
   return change;
+}
+
+template <class P>
+IslandChange IslandImpact<P>::turn(Island& island, const IslandChange& change, At now) const {
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (!(change.carried.impulses[k] > 0)) continue;
+    island.near[k].comes = true;
+    island.touches[k] = 1;
+  }
+  return resolve(island, motion_.whole_flight(), now, Kind::turn);
 }
 
 }  // namespace carom::event

@@ -17,8 +17,8 @@ inline constexpr int kMostTurns = 32;
 /// The impulses that an island needs until its next step: those by which none of its contacts
 /// closes, and those by which it keeps its energy all the same.
 ///
-/// `span`: how far a speed of 1 goes until the step, seconds; 0: there is none.  `goal`: what may
-/// remain of speeds that are stopped.  `loads`: the sums of the normal impulses, by contact.
+/// `next`: the flight until the step; of no time: there is none.  `goal`: what may remain of speeds
+/// that are stopped.  `loads`: the sums of the normal impulses, by contact.
 template <class P>
 class IslandImpulses {
  public:
@@ -40,22 +40,22 @@ class IslandImpulses {
   /// Whether the contact is one of a step, and not an impact to come; where balls lose energy, all
   /// near ones are.
   [[nodiscard]] bool lasts(const Island& island, std::size_t contact) const;
-  /// Nothing closes before the next step; where impacts are elastic, only among those that stay, as
-  /// others meet at their own time.
+  /// Nothing closes before the next step: what touches, but where impacts are elastic, and what is
+  /// near among those that stay, as others meet at their own time.
   /// `opens`: see ConeIsland::resolve.
-  void press(Island& island, double span, double goal, std::vector<double>& loads,
+  void press(Island& island, const SteppedFlight& next, double goal, std::vector<double>& loads,
              double opens = 0) const;
   /// What goes faster, so that the island keeps the energy it `had`, may close a contact beyond
   /// touching: then that one is held again, and what it loses goes to the others.
-  void keep_gaps(Island& island, double had, double span, double goal,
+  void keep_gaps(Island& island, double had, const SteppedFlight& next, double goal,
                  std::vector<double>& loads) const;
 
   /// Whether a contact that is held closes beyond touching before the step all the same, as one
   /// does that was too fast to be held before something else slowed it down.
-  [[nodiscard]] bool closes(const Island& island, double span) const;
+  [[nodiscard]] bool closes(const Island& island, const SteppedFlight& next) const;
 
  private:
-  /// Whether the contact is held until the next step, where collisions are elastic.
+  /// Whether the contact is one of those that stay, and of a step.
   [[nodiscard]] bool holds(const Island& island, std::size_t contact) const;
 
   const Motion<P>& motion_;

@@ -10,7 +10,7 @@ namespace carom::event {
 
 template <class P>
 bool IslandImpulses<P>::lasts(const Island& island, std::size_t contact) const {
-  if (!motion_.elastic()) return true;
+  if (!motion_.elastic_impacts()) return true;
   const ConeContact& c = island.contacts[contact];
   const auto& near = island.near[contact];
   const double speed = approach(island, contact);
@@ -36,27 +36,28 @@ bool IslandImpulses<P>::holds(const Island& island, std::size_t contact) const {
 }
 
 template <class P>
-void IslandImpulses<P>::press(Island& island, double span, double goal, std::vector<double>& loads,
-                              double opens) const {
+void IslandImpulses<P>::press(Island& island, const SteppedFlight& next, double goal,
+                              std::vector<double>& loads, double opens) const {
   std::vector<ConeContact> contacts;
   std::vector<std::size_t> number;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const ConeContact& c = island.contacts[k];
-    if (motion_.elastic() && !holds(island, k)) continue;
+    const bool pressed = !motion_.elastic() && island.touches[k] != 0;
+    if (!pressed && !holds(island, k)) continue;
     contacts.push_back(c);
     number.push_back(k);
   }
-  const double rate = span > 0 ? 1 / span : 0;
+  const double rate = next.seconds > 0 ? 1 / next.way() : 0;
   ConeIsland whole(island.bodies, contacts);
   const std::vector<double> impulses = whole.resolve(island.bodies, rate, goal, opens);
   for (std::size_t k = 0; k < number.size(); ++k) loads[number[k]] += impulses[k];
 }
 
 template <class P>
-bool IslandImpulses<P>::closes(const Island& island, double span) const {
+bool IslandImpulses<P>::closes(const Island& island, const SteppedFlight& next) const {
   const double touching = kTouching * motion_.largest_radius();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    const double way = approach(island, k) * span;
+    const double way = approach(island, k) * next.way();
     const double gap = std::max(island.contacts[k].gap, 0.0);
     if (way > gap + touching && holds(island, k)) return true;
   }
@@ -64,15 +65,15 @@ bool IslandImpulses<P>::closes(const Island& island, double span) const {
 }
 
 template <class P>
-void IslandImpulses<P>::keep_gaps(Island& island, double had, double span, double goal,
-                                  std::vector<double>& loads) const {
-  if (!motion_.keeps_energy() || gives_up() || !(span > 0)) return;
-  for (int round = 0; round < kMostTurns && closes(island, span); ++round) {
-    press(island, span, goal, loads);
-    energy_.keep(island, had, span, gives_up());
+void IslandImpulses<P>::keep_gaps(Island& island, double had, const SteppedFlight& next,
+                                  double goal, std::vector<double>& loads) const {
+  if (!motion_.keeps_energy() || gives_up() || !(next.seconds > 0)) return;
+  for (int round = 0; round < kMostTurns && closes(island, next); ++round) {
+    press(island, next, goal, loads);
+    energy_.keep(island, had, next, gives_up());
   }
   // Where nothing else can move what it should keep is held: that is told, an overlap is not.
-  if (closes(island, span)) press(island, span, goal, loads);
+  if (closes(island, next)) press(island, next, goal, loads);
 }
 
 }  // namespace carom::event

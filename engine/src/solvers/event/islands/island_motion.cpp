@@ -1,5 +1,7 @@
 #include "solvers/event/islands/island_motion.hpp"
 
+#include <cmath>
+
 #include "contact/contact_graph.hpp"
 
 namespace carom::event {
@@ -13,10 +15,11 @@ double approach(const IslandMotion& island, std::size_t contact) {
   return -sharp_dot(c.normal, velocity(c.b) - velocity(c.a));
 }
 
-void stop_at(ConeBody& body, const ConeContact& wall) {
+void stop_at(ConeBody& body, const ConeContact& wall, double left) {
   const bool x = wall.normal.x != 0;
   double& v = x ? body.velocity.x : body.velocity.y;
-  if ((x ? wall.normal.x : wall.normal.y) * v > 0) v = 0;
+  const double towards = x ? wall.normal.x : wall.normal.y;
+  if (towards * v > left) v = left > 0 ? std::copysign(left, towards) : 0;
 }
 
 }  // namespace carom::event

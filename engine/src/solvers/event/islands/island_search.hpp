@@ -80,6 +80,7 @@ class IslandSearch {
   const HugeVector<Disk>& disks_;
   const std::vector<S>& spins_;
   const Time& next_step_;
+  Time ends_ = P::Clock::never();  ///< when flights of what is stepped end; never(): unknown
   Neighbours<P>& neighbours_;
   std::vector<int> number_;  ///< in the island that is looked at; -1: none
   std::vector<char> joins_;  ///< it is of an island that is hit now

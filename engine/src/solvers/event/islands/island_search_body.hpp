@@ -84,6 +84,7 @@ void IslandSearch<P>::finish(std::vector<Island>& islands) {
 template <class P>
 auto IslandSearch<P>::of_step(const std::vector<Index>& balls, At now, Time until)
     -> std::vector<Island> {
+  ends_ = now;
   std::vector<Island> islands;
   for (const Index i : balls) {
     if (owner_[i] < 0) add(islands, {i}, now, until);
@@ -95,6 +96,7 @@ auto IslandSearch<P>::of_step(const std::vector<Index>& balls, At now, Time unti
 template <class P>
 auto IslandSearch<P>::of_hits(const std::vector<std::vector<Index>>& groups, At now)
     -> std::vector<Island> {
+  ends_ = next_step_;
   // Those that touch become one island, though none of them is of one yet.
   const auto mark = [&](char joins) {
     for (const auto& balls : groups) {
@@ -121,6 +123,8 @@ void IslandSearch<P>::join(Island& island, Index i, At now) {
   if (!spins_.empty()) turning = species.radius * motion_.spin_at(disk, spins_[i], now);
   island.bodies.push_back({in_double(motion_.velocity(disk, now)), static_cast<double>(turning),
                            static_cast<double>(species.inverse_mass)});
+  const bool ends = ends_ != P::Clock::never();
+  island.gravity.push_back(ends ? motion_.gravity_of(disk, now, ends_) : GravityOfFlight{});
   for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
     const std::size_t axis = (wall - kWalls) / 2;
     if (!motion_.rules().domain.solid(axis)) continue;

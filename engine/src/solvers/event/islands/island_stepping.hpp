@@ -35,13 +35,17 @@ class IslandStepping {
  private:
   /// How exactly a step is solved.
   struct Scale {
-    Vec<double> pull;  ///< gravity
-    double span;       ///< how far a speed of 1 goes in the step, seconds
-    double speed;      ///< what gravity makes in it
-    double still;      ///< what is slower is still
-    double goal;       ///< what may remain of speeds that are stopped
+    Vec<double> pull;    ///< gravity
+    SteppedFlight next;  ///< the flight that begins
+    double speed;        ///< what gravity makes in a step
+    double still;        ///< what is slower is still
+    double goal;         ///< what may remain of speeds that are stopped
   };
   [[nodiscard]] Scale scale() const;
+  /// How balls would move now that had been flying under all that acts on them in this step.
+  [[nodiscard]] std::vector<ConeBody> at_end(const Island& island,
+                                             const std::vector<ConeBody>& before,
+                                             const Scale& scale) const;
 
   /// What the contacts of a step have done.
   struct Pressed {
@@ -66,14 +70,21 @@ class IslandStepping {
   [[nodiscard]] std::vector<char> moving(const Island& island, const std::vector<ConeBody>& before,
                                          const Pressed& pressed, Carrying& carrying,
                                          const std::vector<char>& stands, const Scale& scale) const;
-  /// Rest, or not, or leave.  `stays`: by ball.  Gives how many contacts have come to rest.
-  std::uint64_t give_support(Island& island, const std::vector<ConeBody>& before,
+  /// Rest, or not, or leave, as `ends` says they move.  `stays`: by ball.  Gives how many contacts
+  /// have come to rest.
+  std::uint64_t give_support(Island& island, const std::vector<ConeBody>& ends,
                              const Carrying& carrying, const std::vector<char>& moves,
                              const std::vector<char>& stands, const std::vector<char>& stays) const;
   /// What walls carry is exactly there; where nothing else touches it, it slides or rolls on along
   /// them, of the island no more, if it does not come to rest.
-  void put_on_walls(Island& island, const std::vector<ConeBody>& before, const Carrying& carrying,
-                    const std::vector<char>& stays, double goal) const;
+  void put_on_walls(Island& island, const std::vector<ConeBody>& ends, const Carrying& carrying,
+                    const std::vector<char>& stays, const Scale& scale) const;
+  /// Twice what contacts gave that parted before the step, and are pressed in it: what they took
+  /// when they did so.
+  [[nodiscard]] static double given_by_parting(const Island& island,
+                                               const std::vector<ConeBody>& before,
+                                               const std::vector<double>& loads, double still,
+                                               double span);
   /// All of them rest where none moved before the step or after it.
   static void rest_if_stopped(Island& island, const std::vector<ConeBody>& before);
 

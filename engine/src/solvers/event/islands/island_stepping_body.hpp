@@ -8,6 +8,7 @@
 
 #include "contact/cone_island.hpp"
 #include "contact/rest_rules.hpp"
+#include "numbers/exact_sum.hpp"
 #include "solvers/event/islands/island_part.hpp"
 #include "solvers/event/islands/island_rest.hpp"
 #include "solvers/event/islands/island_stepping.hpp"
@@ -15,15 +16,16 @@
 
 namespace carom::event {
 
+// No more than this part of what moves is given by contacts that turn, in a step.
+inline constexpr double kTurns = 0x1p-7;
+
 template <class P>
 auto IslandStepping<P>::scale() const -> Scale {
   const auto speed = static_cast<double>(motion_.speed_of_step());
   const bool elastic = motion_.elastic();
-  return {
-      in_double(motion_.law().pull()),
-      motion_.stepped_way(motion_.rules().scale.seconds(P::Clock::span(1, motion_.step_shift()))),
-      speed, (elastic ? kStill * kStill : kStill) * speed,
-      (elastic ? kSolved * kSolved : kSolved) * speed};
+  return {in_double(motion_.law().pull()), motion_.whole_flight(), speed,
+          (elastic ? kStill * kStill : kStill) * speed,
+          (elastic ? kSolved * kSolved : kSolved) * speed};
 }
 
 template <class P>
@@ -33,17 +35,37 @@ auto IslandStepping<P>::press(Island& island, const std::vector<char>& stands,
   Pressed pressed{std::vector<double>(contacts, 0), std::vector<char>(contacts, 0)};
   for (std::size_t k = 0; k < contacts; ++k) pressed.lasts[k] = impulses_.lasts(island, k) ? 1 : 0;
   IslandPart part(island, stands, pressed.lasts);
-  for (ConeBody& body : part.bodies) body.velocity = body.velocity + scale.span * scale.pull;
+  for (std::size_t k = 0; k < part.bodies.size(); ++k) {
+    const double given = island.gravity[part.body_number[k]].owed + scale.next.given();
+    part.bodies[k].velocity = part.bodies[k].velocity + given * scale.pull;
+  }
   // A part of many is in order as they are.
   ConeIsland cones(part.bodies, part.contacts,
                    part.bodies.size() < stands.size() ? kFewOfPart : kFewContacts);
   const std::vector<double> pushes =
-      cones.resolve(part.bodies, 1 / scale.span, scale.goal, impulses_.opens());
+      cones.resolve(part.bodies, 1 / scale.next.way(), scale.goal, impulses_.opens());
   part.pass_on(island);
   for (std::size_t k = 0; k < pushes.size(); ++k) {
     pressed.loads[part.contact_number[k]] = pushes[k];
   }
   return pressed;
+}
+
+// Of what gravity and the contacts have changed in this step the part that was owed.
+template <class P>
+std::vector<ConeBody> IslandStepping<P>::at_end(const Island& island,
+                                                const std::vector<ConeBody>& before,
+                                                const Scale& scale) const {
+  std::vector<ConeBody> ends = before;
+  for (std::size_t m = 0; m < ends.size(); ++m) {
+    const double owed = island.gravity[m].owed;
+    if (owed == 0) continue;
+    const double part = owed / (owed + scale.next.given());
+    const ConeBody& after = island.bodies[m];
+    ends[m].velocity = ends[m].velocity + part * (after.velocity - ends[m].velocity);
+    ends[m].turning += part * (after.turning - ends[m].turning);
+  }
+  return ends;
 }
 
 template <class P>
@@ -120,7 +142,8 @@ std::vector<char> IslandStepping<P>::moving(const Island& island,
   for (std::size_t k = 0; k < presses.size(); ++k) {
     presses[k] = pressed.loads[k] > 0 || island.touches[k] != 0 ? 1 : 0;
   }
-  hold_still(island, {scale.pull, scale.span, scale.speed}, carrying.sets, presses, sets_move);
+  hold_still(island, {scale.pull, scale.next.way(), scale.speed}, carrying.sets, presses,
+             sets_move);
   if (large) {
     for (std::size_t m = 0; m < n; ++m) {
       if (sets_move[find(m)] != moved[find(m)]) moves[m] = 1;
@@ -139,7 +162,7 @@ std::vector<char> IslandStepping<P>::moving(const Island& island,
 }
 
 template <class P>
-std::uint64_t IslandStepping<P>::give_support(Island& island, const std::vector<ConeBody>& before,
+std::uint64_t IslandStepping<P>::give_support(Island& island, const std::vector<ConeBody>& ends,
                                               const Carrying& carrying,
                                               const std::vector<char>& moves,
                                               const std::vector<char>& stands,
@@ -156,7 +179,7 @@ std::uint64_t IslandStepping<P>::give_support(Island& island, const std::vector<
     } else if (stands[m] == 0 && carrying.loaded[m] == 0 && carrying.approaches[m] == 0 &&
                stays[m] == 0) {
       island.support[m] = 0;
-      body = before[m];
+      body = ends[m];
     } else {
       island.support[m] = kStepped;
     }
@@ -174,31 +197,62 @@ std::uint64_t IslandStepping<P>::give_support(Island& island, const std::vector<
 }
 
 template <class P>
-void IslandStepping<P>::put_on_walls(Island& island, const std::vector<ConeBody>& before,
+void IslandStepping<P>::put_on_walls(Island& island, const std::vector<ConeBody>& ends,
                                      const Carrying& carrying, const std::vector<char>& stays,
-                                     double goal) const {
+                                     const Scale& scale) const {
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const ConeContact& c = island.contacts[k];
     const auto a = static_cast<std::size_t>(c.a);
     const Index wall = island.near[k].partner;
-    if (carrying.carries[k] == 0 || c.b != kWall || wall < kFirstMark || island.touches[k] == 0) {
+    if (c.b != kWall || wall < kFirstMark) continue;
+    // It does not go into a wall that takes speed, not even by what has been left unsolved.
+    const bool takes = motion_.rules().wall_restitution < 1 && island.support[a] == kStepped;
+    if (carrying.carries[k] == 0 || island.touches[k] == 0) {
+      const double most = c.gap / scale.next.way();
+      if (takes && approach(island, k) < most + 4 * scale.goal) stop_at(island.bodies[a], c, most);
       continue;
     }
     if (motion_.elastic() && c.gap > 0) continue;
     island.lifted += put_on_wall(motion_, disks_[island.members[a]], wall, island.places[a]);
-    // It does not go into a wall that takes speed, not even by what has been left unsolved.
-    const bool takes = motion_.rules().wall_restitution < 1;
-    if (takes && island.support[a] == kStepped && approach(island, k) < 4 * goal) {
-      stop_at(island.bodies[a], c);
-    }
+    if (takes && approach(island, k) < 4 * scale.goal) stop_at(island.bodies[a], c);
     // Only walls carry it: it slides on, or rolls, if it does not come to rest.
     if (carrying.on_balls[a] != 0 || carrying.approaches[a] != 0 || stays[a] != 0) continue;
     const bool rests = island.support[a] == kResting && !motion_.elastic();
-    if (island.support[a] != 0 && !rests) island.bodies[a] = before[a];
+    if (island.support[a] != 0 && !rests) island.bodies[a] = ends[a];
     Vec<double>& v = island.bodies[a].velocity;
     (wall - kWalls < 2 ? v.x : v.y) = 0;
     island.support[a] = 0;
   }
+}
+
+// The normal of a contact that slides turns: it parts before a step by about what it closes after.
+// That is little of what the two move with.
+template <class P>
+double IslandStepping<P>::given_by_parting(const Island& island,
+                                           const std::vector<ConeBody>& before,
+                                           const std::vector<double>& loads, double still,
+                                           double span) {
+  ExactSum<double> given;
+  ExactSum<double> moves;
+  for (const ConeBody& body : before) {
+    moves.add(dot(body.velocity, body.velocity) / body.inverse_mass);
+  }
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    if (!(loads[k] > 0)) continue;
+    const ConeContact& c = island.contacts[k];
+    const ConeBody& a = before[static_cast<std::size_t>(c.a)];
+    const ConeBody b = c.b == kWall ? ConeBody{} : before[static_cast<std::size_t>(c.b)];
+    if (is_slow(a, still) && is_slow(b, still)) continue;
+    // It turns by no more than they go past each other.
+    const Vec<double> past = a.velocity - b.velocity;
+    const double slip = cross(c.normal, past);
+    const double reach = std::sqrt(static_cast<double>(S(dot(island.near[k].r, island.near[k].r))));
+    const bool wall = c.b == kWall && island.near[k].partner >= kFirstMark;
+    const double turns = wall ? 0 : slip * slip * span / reach;
+    const double parts = std::min(-sharp_dot(c.normal, past) - approach(island, k), turns);
+    if (parts > 0) given.add(loads[k] * parts);
+  }
+  return std::min(given.rounded(), kTurns * moves.rounded());
 }
 
 // Where nothing moved, and what a step made was all taken as energy that there is not, it was what
@@ -219,7 +273,7 @@ IslandChange IslandStepping<P>::step(Island& island, bool whole) const {
   const Scale scale = this->scale();
   const std::vector<ConeBody> before = island.bodies;
   const SteppedEnergy& energy = impulses_.energy();
-  const double had = energy.of(island, 0).all();
+  const double had = energy.so_far(island);
   std::vector<char> stands(before.size(), 0);
   if (!whole && !motion_.elastic() && is_large(island)) {
     for (std::size_t m = 0; m < stands.size(); ++m) {
@@ -234,15 +288,21 @@ IslandChange IslandStepping<P>::step(Island& island, bool whole) const {
   }
   Carrying carrying = this->carrying(island, before, pressed, scale);
   const std::vector<char> moves = moving(island, before, pressed, carrying, stands, scale);
+  const double given =
+      given_by_parting(island, before, pressed.loads, scale.still, scale.next.seconds);
+  const std::vector<ConeBody> ends = at_end(island, before, scale);
   const std::vector<char> stays =
-      motion_.elastic() ? std::vector<char>(before.size(), 0) : met(island, before);
-  change.counts.resting_contacts = give_support(island, before, carrying, moves, stands, stays);
-  put_on_walls(island, before, carrying, stays, scale.goal);
-  if (energy.keep(island, had, scale.span, impulses_.gives_up())) {
-    impulses_.keep_gaps(island, had, scale.span, scale.goal, pressed.loads);
+      motion_.elastic() ? std::vector<char>(before.size(), 0) : met(island, ends);
+  const std::vector<unsigned> were = island.support;
+  change.counts.resting_contacts = give_support(island, ends, carrying, moves, stands, stays);
+  put_on_walls(island, ends, carrying, stays, scale);
+  double keeps = had;
+  if (!motion_.keeps_energy()) keeps += energy.of_leaving(island, before, were) + given;
+  if (energy.keep(island, keeps, scale.next, impulses_.gives_up())) {
+    impulses_.keep_gaps(island, keeps, scale.next, scale.goal, pressed.loads);
   }
   if (!motion_.elastic()) rest_if_stopped(island, before);
-  const double lost = energy.loss(island, had, scale.span);
+  const double lost = energy.loss(island, had, scale.next);
   if (energy.is_held(island, lost)) change.counts.jammed = 1;
   change.carried = {std::move(pressed.loads), std::vector<char>(island.contacts.size(), 0), lost};
   return change;

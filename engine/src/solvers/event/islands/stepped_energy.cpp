@@ -8,8 +8,15 @@
 #include "solvers/event/support.hpp"
 
 namespace carom::event {
+namespace {
 
-auto SteppedEnergy::of(const IslandMotion& island, double span) const -> Parts {
+/// What begins to move goes no more than so many times as fast as gravity makes it.
+constexpr double kStarts = 4;
+
+}  // namespace
+
+template <class Ahead>
+auto SteppedEnergy::sum(const IslandMotion& island, const Ahead& ahead_of) const -> Parts {
   const Vec<double>& g = rules_.pull;
   ExactSum<double> stepped;
   ExactSum<double> ahead;
@@ -23,19 +30,69 @@ auto SteppedEnergy::of(const IslandMotion& island, double span) const -> Parts {
     moving.add(mass * (body.velocity.y * body.velocity.y));
     moving.add(mass / 2 * (body.turning * body.turning));
     if (!steps) continue;
-    ahead.add(2 * span * mass * (g.x * body.velocity.x));
-    ahead.add(2 * span * mass * (g.y * body.velocity.y));
+    const double span = 2 * ahead_of(m);
+    ahead.add(span * mass * (g.x * body.velocity.x));
+    ahead.add(span * mass * (g.y * body.velocity.y));
   }
   return {stepped.rounded(), ahead.rounded(), others.rounded()};
 }
 
-double SteppedEnergy::loss(const IslandMotion& island, double had, double span) const {
-  // What was lifted onto a wall has that much more, which nothing took.
-  return (had - of(island, span).all()) / 2 - island.lifted;
+auto SteppedEnergy::of(const IslandMotion& island, const SteppedFlight& next) const -> Parts {
+  const double ahead = next.ahead(0);
+  return sum(island, [ahead](std::size_t) { return ahead; });
 }
 
-bool SteppedEnergy::keep(IslandMotion& island, double had, double span, bool gives_up) const {
-  const Parts now = of(island, span);
+double SteppedEnergy::so_far(const IslandMotion& island) const {
+  return sum(island, [&](std::size_t m) { return island.gravity[m].ahead; }).all();
+}
+
+// Flights are counted with less than their ends have: what gravity makes in half of one, squared.
+double SteppedEnergy::of_leaving(const IslandMotion& island, const std::vector<ConeBody>& before,
+                                 const std::vector<unsigned>& were) const {
+  const Vec<double>& g = rules_.pull;
+  ExactSum<double> more;
+  for (std::size_t m = 0; m < before.size(); ++m) {
+    if (were[m] != kStepped || island.support[m] >= kResting) continue;
+    const double mass = 1 / before[m].inverse_mass;
+    const auto add = [&](const ConeBody& body, double sign) {
+      more.add(sign * mass * (body.velocity.x * body.velocity.x));
+      more.add(sign * mass * (body.velocity.y * body.velocity.y));
+      more.add(sign * mass / 2 * (body.turning * body.turning));
+    };
+    add(island.bodies[m], 1);
+    add(before[m], -1);
+    const double ahead = 2 * island.gravity[m].ahead * mass;
+    more.add(ahead * (g.x * before[m].velocity.x));
+    more.add(ahead * (g.y * before[m].velocity.y));
+  }
+  return more.rounded();
+}
+
+double SteppedEnergy::given_back(const IslandMotion& island, const std::vector<ConeBody>& before,
+                                 const SteppedFlight& next) const {
+  const Vec<double>& g = rules_.pull;
+  const double now = next.ahead(0);
+  ExactSum<double> more;
+  for (std::size_t m = 0; m < before.size(); ++m) {
+    const double was = island.gravity[m].ahead;
+    const double most = dot(g, g) * (was - now) * (was + now);
+    if (island.support[m] != kStepped || !(most > 0)) continue;
+    const Vec<double> change = island.bodies[m].velocity - before[m].velocity;
+    const double made = -(was + now) * (g.x * change.x + g.y * change.y);
+    more.add(std::clamp(made, 0.0, most) / before[m].inverse_mass);
+  }
+  return more.rounded();
+}
+
+double SteppedEnergy::loss(const IslandMotion& island, double had,
+                           const SteppedFlight& next) const {
+  // What was lifted onto a wall has that much more, which nothing took.
+  return (had - of(island, next).all()) / 2 - island.lifted;
+}
+
+bool SteppedEnergy::keep(IslandMotion& island, double had, const SteppedFlight& next,
+                         bool gives_up) const {
+  const Parts now = of(island, next);
   const bool keeps = rules_.keeps;
   if (keeps) had -= 2 * island.lifted;
   const double moving = keeps ? now.stepped + now.others : now.stepped;
@@ -49,8 +106,8 @@ bool SteppedEnergy::keep(IslandMotion& island, double had, double span, bool giv
   if (keeps && square > 0) {
     const double other = (half - std::sqrt(square)) / moving;
     const bool nearer = std::abs(other - 1) < std::abs(a - 1);
-    // What slides up and is about to come down goes faster; what is only pressed does not.
-    if (nearer && (other > 0 || !can_go(island, a, span))) a = other;
+    // What begins to slide goes faster than gravity makes it; what is only pressed does not.
+    if (nearer && (other > 0 || (a > kStarts && !can_go(island, a, next.way())))) a = other;
   }
   a = std::max(a, 0.0);
   if (keeps ? a == 1 : !(a < 1)) return false;

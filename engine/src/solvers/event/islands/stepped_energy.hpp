@@ -1,15 +1,17 @@
 #pragma once
 
+#include <vector>
+
 #include "numbers/scalar.hpp"
 #include "solvers/event/islands/island_motion.hpp"
 
 namespace carom::event {
 
-/// The energy of contact islands but for their height, less what gravity has given ahead, for the
-/// time of `span`, to balls that are stepped.
+/// The energy of contact islands but for their height, less what gravity has given ahead to balls
+/// that are stepped.
 ///
 /// Holds: sums are rounded once, so that no order shows.
-/// Units: those of the scene; 0 as a span: of nothing ahead.
+/// Units: those of the scene.  `next`: the flight that begins.
 class SteppedEnergy {
  public:
   struct Rules {
@@ -27,23 +29,37 @@ class SteppedEnergy {
     double others;
     [[nodiscard]] double all() const { return stepped - ahead + others; }
   };
-  [[nodiscard]] Parts of(const IslandMotion& island, double span) const;
+  [[nodiscard]] Parts of(const IslandMotion& island, const SteppedFlight& next) const;
+  /// The same, of the flights so far.
+  [[nodiscard]] double so_far(const IslandMotion& island) const;
+
+  /// Twice what balls that were stepped, and leave the island, have more than before.
+  [[nodiscard]] double of_leaving(const IslandMotion& island, const std::vector<ConeBody>& before,
+                                  const std::vector<unsigned>& were) const;
+
+  /// Twice what flights that end before their time may give back of what they are counted with too
+  /// little.
+  [[nodiscard]] double given_back(const IslandMotion& island, const std::vector<ConeBody>& before,
+                                  const SteppedFlight& next) const;
 
   /// What the contacts of an island have taken is what it has less than it had.  That may be less
   /// than nothing: a ball that joins is given ahead a fall that a contact found later at the same
   /// instant takes back.
-  [[nodiscard]] double loss(const IslandMotion& island, double had, double span) const;
+  [[nodiscard]] double loss(const IslandMotion& island, double had,
+                            const SteppedFlight& next) const;
 
   /// What is left unsolved must not make energy: those that are stepped are slowed down to what
   /// there was.  Where nothing loses any, all of the island keeps what it had, by one factor; if it
   /// `gives_up`, it may have less.  Whether anything is changed.
-  bool keep(IslandMotion& island, double had, double span, bool gives_up) const;
+  bool keep(IslandMotion& island, double had, const SteppedFlight& next, bool gives_up) const;
 
   /// Where nothing takes energy, what an island has lost beyond what its resting balls had is held
   /// by contacts that cannot move: they are jammed.
   [[nodiscard]] bool is_held(const IslandMotion& island, double lost) const;
 
  private:
+  template <class Ahead>
+  [[nodiscard]] Parts sum(const IslandMotion& island, const Ahead& ahead) const;
   /// Whether no contact closes beyond touching if all go `a` times as fast.
   [[nodiscard]] bool can_go(const IslandMotion& island, double a, double span) const;
 
