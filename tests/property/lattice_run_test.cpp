@@ -43,17 +43,23 @@ void try_seed(std::uint64_t seed, bool prints) {
   if (prints) std::puts(write_scene(scene).c_str());
 }
 
-// It is not yet true of every seed.  Of 1 to 121 some 17 take more than a few seconds (as 18 and
-// 26), 9, 83, 84 and 108 overlap by more than 1e-3 of a radius, and 25 has 4e-7 of its energy
-// unbooked.
+/// It is not yet true of these, which have 9e-6 and 2e-6 of their energy unbooked.
+bool fails(std::uint64_t seed) {
+  return seed == 25 || seed == 90;
+}
+
 TEST(LatticeRun, EndsAndKeepsItsEnergyBook) {
-  const auto [from, to] = test::seeds(27, 42);
-  for (std::uint64_t seed = from; seed <= to; ++seed) try_seed(seed, from == to);
+  const auto [from, to] = test::seeds(1, 121);
+  for (std::uint64_t seed = from; seed <= to; ++seed) {
+    if (from == to || !fails(seed)) try_seed(seed, from == to);
+  }
 }
 
 // 10: with friction and e = 1 a ball that left an island fell twice, by 1e-5 of all the energy.
+// 179, of masses 1 : 3e5: contacts that slide were given what other contacts had given way, so that
+// balls overlapped by 3e-4 of a radius, and by 0.1 where impulses were found to more digits.
 TEST(LatticeRun, KeepsWhatWasOnceBroken) {
-  for (const std::uint64_t seed : {10}) try_seed(seed, false);
+  for (const std::uint64_t seed : {10, 179}) try_seed(seed, false);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ ConeDescent::ConeDescent(ConeResponse& response) : response_(response) {
   for (Column* column : {&anchor_, &slope_, &way_, &change_}) column->assign(response.edges(), 0);
 }
 
-void ConeDescent::expand(const Column& parting, Column& impulses, double room) {
+void ConeDescent::expand(Column& impulses, double room) {
   const std::size_t edges = response_.edges();
   const double step = response_.step();
   for (std::size_t k = 0; k < edges; k += kLanes) {
@@ -42,54 +42,57 @@ void ConeDescent::expand(const Column& parting, Column& impulses, double room) {
   }
   response_.times(impulses.data(), slope_.data());
   for (std::size_t k = 0; k < edges; k += kLanes) {
-    lanes(&slope_[k]) += lanes(&parting[k]);
+    lanes(&slope_[k]) += lanes(&from_[k]);
     lanes(&way_[k]) = lanes(&impulses[k]) > 0 ? lanes(&slope_[k]) : Lanes{};
   }
 }
 
-void ConeDescent::take_back(Column& parting, const Column& impulses) {
+void ConeDescent::take_back(const Column& impulses) {
   const double give = response_.give();
   for (std::size_t k = 0; k < response_.edges(); k += kLanes) {
-    lanes(&parting[k]) -= give * (lanes(&impulses[k]) - lanes(&anchor_[k]));
+    lanes(&from_[k]) -= give * (lanes(&impulses[k]) - lanes(&anchor_[k]));
     lanes(&anchor_[k]) = lanes(&impulses[k]);
   }
 }
 
-void ConeDescent::solve(Column& parting, Column& impulses, double goal) {
-  const Column start = parting;
+void ConeDescent::solve(const Column& parting, Column& impulses, double goal) {
   if (descend_again(parting, impulses, goal, kLongWay)) return;
-  parting = start;
-  std::fill(anchor_.begin(), anchor_.end(), 0);
   if (!guess_cone_impulses(response_, parting, goal, impulses)) {
     descend_again(parting, impulses, goal, kMostRefinements * kMostDescents);
     return;
   }
-  take_back(parting, impulses);
+  start(parting);
+  take_back(impulses);
   // What rounding has left.
-  descend(parting, impulses, goal, kLongWay);
+  descend(impulses, goal, kLongWay);
+}
+
+void ConeDescent::start(const Column& parting) {
+  from_ = parting;
+  std::fill(anchor_.begin(), anchor_.end(), 0);
 }
 
 // Contacts give way from where the last solution left them (proximal point method), so that in the
 // end they give way to nothing, however heavy what they carry is.
-bool ConeDescent::descend_again(Column& parting, Column& impulses, double goal, int at_most) {
+bool ConeDescent::descend_again(const Column& parting, Column& impulses, double goal, int at_most) {
   const std::size_t edges = response_.edges();
   const double give = response_.give();
-  std::fill(anchor_.begin(), anchor_.end(), 0);
+  start(parting);
   int left = at_most;
   for (int round = 0; round < kMostRefinements; ++round) {
-    left -= descend(parting, impulses, goal, std::min(left, kMostDescents));
+    left -= descend(impulses, goal, std::min(left, kMostDescents));
     if (left == 0) return false;
     Lanes most{};
     for (std::size_t k = 0; k < edges; k += kLanes) {
       most = larger_of(most, size_of(give * (lanes(&impulses[k]) - lanes(&anchor_[k]))));
     }
     if (!(largest(most) > goal / 4)) return true;
-    take_back(parting, impulses);
+    take_back(impulses);
   }
   return false;
 }
 
-int ConeDescent::descend(const Column& parting, Column& impulses, double goal, int at_most) {
+int ConeDescent::descend(Column& impulses, double goal, int at_most) {
   const std::size_t edges = response_.edges();
   const double to_bound = 1 / response_.step();
   response_.times(impulses.data(), slope_.data());
@@ -101,7 +104,7 @@ int ConeDescent::descend(const Column& parting, Column& impulses, double goal, i
     return lanes(&impulses[k]) > 0 ? lanes(&slope_[k]) : Lanes{};
   };
   for (std::size_t k = 0; k < edges; k += kLanes) {
-    lanes(&slope_[k]) += lanes(&parting[k]);
+    lanes(&slope_[k]) += lanes(&from_[k]);
     lanes(&way_[k]) = free(k);
   }
   // The step along the way that descends farthest, and how the slope bends on it.
@@ -149,7 +152,7 @@ int ConeDescent::descend(const Column& parting, Column& impulses, double goal, i
     }
     const double room = -largest(-nearest);
     if (!(length < room)) {
-      expand(parting, impulses, room);
+      expand(impulses, room);
       continue;
     }
     for (std::size_t k = 0; k < edges; k += kLanes) descend(length, k);

@@ -17,23 +17,26 @@ class ConeDescent {
 
   explicit ConeDescent(ConeResponse& response);
 
-  /// `parting`: how fast each edge parts without impulses; how far the contacts gave way is taken
-  /// off.  `impulses`: where it starts, and what it finds.  What remains of speeds that should be
-  /// stopped is at most `goal`.
-  void solve(Column& parting, Column& impulses, double goal);
+  /// `parting`: how fast each edge parts without impulses.  `impulses`: where it starts, and what
+  /// it finds.  What remains of speeds that should be stopped is at most `goal`.
+  void solve(const Column& parting, Column& impulses, double goal);
 
  private:
   /// Until nothing gives way any more; whether that was reached by so many descents.
-  bool descend_again(Column& parting, Column& impulses, double goal, int at_most);
-  /// Gives how many descents there were.
-  int descend(const Column& parting, Column& impulses, double goal, int at_most);
+  bool descend_again(const Column& parting, Column& impulses, double goal, int at_most);
+  /// Nothing has given way.
+  void start(const Column& parting);
   /// What contacts gave way until now.
-  void take_back(Column& parting, const Column& impulses);
+  void take_back(const Column& impulses);
+  /// Gives how many descents there were.
+  int descend(Column& impulses, double goal, int at_most);
   /// Steps onto the bound in the way, and down along it.
-  void expand(const Column& parting, Column& impulses, double room);
+  void expand(Column& impulses, double room);
 
   ConeResponse& response_;
-  Column anchor_, slope_, way_, change_;
+  Column from_;    ///< `parting`, less what contacts gave way
+  Column anchor_;  ///< the impulses that they give way from
+  Column slope_, way_, change_;
 };
 
 }  // namespace carom::event

@@ -21,8 +21,11 @@ namespace {
 /// Contacts give way by this part of what they do in ConeDescent, so that it is soon taken back.
 constexpr double kGivesLess = 0x1p-7;
 constexpr int kMostTakenBack = 64;
+/// What is taken back falls at least so from one time to the next, or no impulses can stop it.
+constexpr double kFalls = 63.0 / 64;
 /// How often a solution is corrected, and after which change, as a part of the largest impulse.
 constexpr int kMostCorrections = 24;
+constexpr double kNoise = 0x1p-60;
 /// How many bits of the largest impulse are kept, and so, no smaller ones, of the others: what
 /// rounding leaves in double-double, where contacts are dependent, is far below.
 constexpr int kBits = 46;
@@ -63,8 +66,7 @@ class ConeGuess {
         most = std::max(most, give_ * std::abs((impulses_[i] - anchor_[i]).high));
       }
       anchor_ = impulses_;
-      // What does not fall no impulses can stop, as where there is no room.
-      if (!(most > goal / 16) || !(most < last / 2)) break;
+      if (!(most > goal / 16) || !(most < kFalls * last)) break;
       last = most;
     }
     return true;
@@ -196,6 +198,7 @@ class ConeGuess {
   bool solve(double fine) {
     factor();
     Eigen::VectorXd rest(static_cast<Eigen::Index>(which_.size()));
+    double last = std::numeric_limits<double>::infinity();
     for (int correction = 0; correction < kMostCorrections; ++correction) {
       find_speeds();
       if (which_.empty()) return true;
@@ -213,6 +216,12 @@ class ConeGuess {
         find_speeds();
         return true;
       }
+      // Where contacts are dependent rounding in double-double remains.
+      if (changed <= kNoise * largest() && changed > last / 4) {
+        find_speeds();
+        return true;
+      }
+      last = changed;
     }
     return false;
   }
