@@ -61,7 +61,7 @@ TEST(EventStepping, WhatTurnsRoundInARowDoesNotComeToRest) {
   }
 }
 
-// Of a motion with elastic impacts drag takes 2 k times its energy, which is 9.6 J at first and
+// Of a motion with elastic impacts drag takes 2 k times its energy, which is initially 9.6 J and
 // grows by what the balls fall, here nothing; they have most of it as height in between.
 // Seen to fail where such a row lost .8 J in its first impact, and overlapped by 5e-3.
 TEST(EventStepping, OnlyDragTakesEnergyWhereImpactsAreElastic) {

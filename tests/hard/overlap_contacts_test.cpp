@@ -42,7 +42,7 @@ Scene rough(Scene scene, double friction) {
   return scene;
 }
 
-// A spin w at first: slips with mu g until v = r w, then rolls at w r / 3.
+// Initially a spin w: slips with mu g until v = r w, then rolls at w r / 3.
 TEST(OverlapContacts, ASpinningBallSlipsThenRolls) {
   const double mu = 0.2;
   Ball start = disk(20, 0.5);

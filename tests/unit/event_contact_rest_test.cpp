@@ -19,7 +19,7 @@ namespace {
 using V = Vec<double>;
 using Contacts = std::vector<ConeContact>;
 
-/// What a second of gravity would do to touching balls that are still at first.
+/// What a second of gravity would do to touching balls that are initially still.
 struct Carried {
   std::vector<double> forces;
   ConeIsland::Bodies bodies;  ///< their velocities are accelerations

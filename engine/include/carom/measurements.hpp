@@ -25,7 +25,7 @@ struct Measurements {
   double kinetic_final = 0;      ///< the part of it that is motion; with a potential
   double energy_input = 0;       ///< by commands: balls added and removed, effects changed
   double energy_dissipated = 0;  ///< by restitution, friction and drag, each by its own formula
-  double energy_largest = 0;     ///< in size, of those at first and at commands
+  double energy_largest = 0;     ///< in size, of those initially and at commands
   Vec2 momentum_initial{0, 0};
   Vec2 momentum_final{0, 0};
   double max_overlap = 0;  ///< deepest penetration seen / smaller radius of the two

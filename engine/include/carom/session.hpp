@@ -39,7 +39,7 @@ class Session {
   /// The frame clock at a simulated time, if no pause comes before.
   [[nodiscard]] double clock_at(double time) const { return clock_.at(time); }
 
-  /// The effects with the values they last had while they were on; those of the scene at first.
+  /// The effects with the values they last had while they were on; initially those of the scene.
   [[nodiscard]] const Effects& effects_when_on() const { return when_on_; }
   /// Of a session that goes on as another one.
   void set_effects_when_on(const Effects& effects) { when_on_ = effects; }

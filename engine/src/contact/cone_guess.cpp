@@ -212,12 +212,9 @@ class ConeGuess {
       }
       const double changed = change.cwiseAbs().maxCoeff();
       if (!std::isfinite(changed)) return false;
-      if (!(changed > fine * largest())) {
-        find_speeds();
-        return true;
-      }
       // Where contacts are dependent rounding in double-double remains.
-      if (changed <= kNoise * largest() && changed > last / 4) {
+      const bool noise = changed <= kNoise * largest() && changed > last / 4;
+      if (!(changed > fine * largest()) || noise) {
         find_speeds();
         return true;
       }

@@ -16,7 +16,7 @@ struct Tangent {
 /// The one root of a function that is monotone over [low, high] and has opposite signs at its
 /// ends: Newton's steps, halving where they leave the bracket or do not halve it; it ends when a
 /// step is at most `tolerance` of the root, when nothing lies between the ends, or only u^3 of what
-/// lay between them at first. Only values and slopes are used, so the result scales exactly with
+/// initially lay between them. Only values and slopes are used, so the result scales exactly with
 /// powers of two.
 template <class S, class Function>
 S monotone_root(const Function& tangent_at, S low, S high, bool rising, const S& tolerance,

@@ -126,7 +126,7 @@ double gas_pressure(const Trial& trial) {
   return worst;
 }
 
-/// The speeds of a gas of equal masses whose balls were all equally fast at first, seen a hundred
+/// The speeds of a gas of equal masses whose balls were initially all equally fast, seen a hundred
 /// times, sorted; `temperature` is k T / m.
 struct Speeds {
   std::vector<double> sorted;

@@ -141,7 +141,7 @@ double zeno_after(const Trial& trial) {
          static_cast<double>(simulation.measure().ball_wall - hits);
 }
 
-/// The pile after its time; what it had to lose at first.
+/// The pile after its time; what it initially had to lose.
 struct Pile {
   Outcome outcome;
   double drop;

@@ -24,7 +24,7 @@ double farthest(const std::vector<Ball>& a, const std::vector<Ball>& b);
 /// How many balls differ in any bit of position, velocity or spin.
 double different(const std::vector<Ball>& a, const std::vector<Ball>& b);
 
-/// |final - initial| momentum, in parts of the sum of the sizes of the balls' momenta at first.
+/// |final - initial| momentum, in parts of the sum of the initial sizes of the balls' momenta.
 double momentum_error(const Scene& scene, const Outcome& outcome);
 /// |final - initial| energy in parts of the initial one.
 double energy_error(const Measurements& measured);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "contact/cone_island.hpp"
@@ -32,6 +33,12 @@ struct FoundIsland : IslandMotion {
 template <class S>
 bool is_large(const FoundIsland<S>& island) {
   return island.contacts.size() > kFewContacts;
+}
+
+/// Whether a contact is with a wall, not with a fixed ball.
+template <class S>
+bool is_at_wall(const FoundIsland<S>& island, std::size_t contact) {
+  return island.contacts[contact].b == kWall && island.near[contact].partner >= kFirstMark;
 }
 
 /// What an impact or a step has done to an island, beside the motion of its balls.

@@ -49,7 +49,7 @@ IslandHits hits_of(const Motion<P>& motion, const HugeVector<typename P::Disk>& 
     const double speed = approach(island, k);
     if (speed < -kStill * speed_of_step) continue;
     hits.fastest = std::max(hits.fastest, speed);
-    const bool wall = near.partner >= kFirstMark && c.b == kWall;
+    const bool wall = is_at_wall(island, k);
     if (wall && island.support[a] < kResting && !(speed > 0)) continue;
     bool sticks = false;
     if (wall) {

@@ -72,7 +72,7 @@ auto IslandImpact<P>::reflect(Island& island) const -> Reflection {
     if (island.touches[k] == 0) continue;
     if (c.b != kWall) {
       contacts.push_back({c.a, c.b, in_double(island.near[k].r), of_balls});
-    } else if (island.near[k].partner >= kFirstMark) {
+    } else if (is_at_wall(island, k)) {
       contacts.push_back({c.a, kWall, c.normal, of_walls});
     } else {
       contacts.push_back(
@@ -96,8 +96,7 @@ void IslandImpact<P>::note_who_stays(const Island& island, IslandHits& hits) con
     if (island.touches[k] == 0) continue;
     const ConeContact& c = island.contacts[k];
     const auto a = static_cast<std::size_t>(c.a);
-    const bool wall = c.b == kWall && island.near[k].partner >= kFirstMark;
-    if (wall) continue;
+    if (is_at_wall(island, k)) continue;
     // Two that fall press each other only where something holds one of them.
     const Disk& disk = disks_[island.members[a]];
     const double pressing =
@@ -121,7 +120,7 @@ void IslandImpact<P>::put_on_walls(Island& island) const {
     const ConeContact& c = island.contacts[k];
     const auto a = static_cast<std::size_t>(c.a);
     const Index wall = island.near[k].partner;
-    if (c.b != kWall || wall < kFirstMark || island.touches[k] == 0) continue;
+    if (!is_at_wall(island, k) || island.touches[k] == 0) continue;
     if (motion_.elastic() && c.gap > 0) continue;
     island.lifted += put_on_wall(motion_, disks_[island.members[a]], wall, island.places[a]);
     stop_at(island.bodies[a], c);
@@ -140,7 +139,7 @@ void IslandImpact<P>::hold_on(Island& island, const Try& of, std::vector<double>
     more = false;
     for (std::size_t k = 0; k < island.contacts.size() && !motion_.elastic(); ++k) {
       const ConeContact& c = island.contacts[k];
-      const bool wall = c.b == kWall && island.near[k].partner >= kFirstMark;
+      const bool wall = is_at_wall(island, k);
       if (wall || island.touches[k] == 0 || !(approach(island, k) > 0)) continue;
       for (const int body : {c.a, c.b}) {
         if (body == kWall) continue;
@@ -161,7 +160,7 @@ double IslandImpact<P>::parting(const Island& island, std::size_t k, const Islan
                                 const SteppedFlight& next) const {
   if (!is_large(island)) return hits.restitution * approach(island, k);
   const ConeContact& c = island.contacts[k];
-  const bool wall = c.b == kWall && island.near[k].partner >= kFirstMark;
+  const bool wall = is_at_wall(island, k);
   const auto restitution =
       static_cast<double>(wall ? motion_.rules().wall_restitution : motion_.rules().restitution);
   const double away = restitution * approach(island, k);

@@ -14,7 +14,7 @@ bool IslandImpulses<P>::lasts(const Island& island, std::size_t contact) const {
   const ConeContact& c = island.contacts[contact];
   const auto& near = island.near[contact];
   const double speed = approach(island, contact);
-  if (c.b == kWall && near.partner >= kFirstMark) {
+  if (is_at_wall(island, contact)) {
     return island.touches[contact] != 0 &&
            speed <= static_cast<double>(motion_.lasting_speed(S(0), S(1)));
   }

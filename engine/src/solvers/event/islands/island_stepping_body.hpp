@@ -92,7 +92,7 @@ auto IslandStepping<P>::carrying(const Island& island, const std::vector<ConeBod
     if (!(pressed.loads[k] * mobility > kLoaded * scale.speed)) continue;
     result.carries[k] = 1;
     ++result.loaded[a];
-    const bool wall = c.b == kWall && island.near[k].partner >= kFirstMark;
+    const bool wall = is_at_wall(island, k);
     if (!wall) result.on_balls[a] = 1;
     if (c.b == kWall) continue;
     ++result.loaded[b];
@@ -127,7 +127,7 @@ std::vector<char> IslandStepping<P>::moving(const Island& island,
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const ConeContact& c = island.contacts[k];
     const auto a = static_cast<std::size_t>(c.a);
-    if (carrying.carries[k] == 0 || c.b != kWall || island.near[k].partner >= kFirstMark) continue;
+    if (carrying.carries[k] == 0 || c.b != kWall || is_at_wall(island, k)) continue;
     const Vec<double> r = in_double(island.near[k].r);
     const double off = std::abs(cross(r, scale.pull));
     if (carrying.loaded[a] == 1 && off > 0x1p-40 * std::abs(dot(r, scale.pull))) moves[a] = 1;
@@ -204,7 +204,7 @@ void IslandStepping<P>::put_on_walls(Island& island, const std::vector<ConeBody>
     const ConeContact& c = island.contacts[k];
     const auto a = static_cast<std::size_t>(c.a);
     const Index wall = island.near[k].partner;
-    if (c.b != kWall || wall < kFirstMark) continue;
+    if (!is_at_wall(island, k)) continue;
     // It does not go into a wall that takes speed, not even by what has been left unsolved.
     const bool takes = motion_.rules().wall_restitution < 1 && island.support[a] == kStepped;
     if (carrying.carries[k] == 0 || island.touches[k] == 0) {
@@ -247,7 +247,7 @@ double IslandStepping<P>::given_by_parting(const Island& island,
     const Vec<double> past = a.velocity - b.velocity;
     const double slip = cross(c.normal, past);
     const double reach = std::sqrt(static_cast<double>(S(dot(island.near[k].r, island.near[k].r))));
-    const bool wall = c.b == kWall && island.near[k].partner >= kFirstMark;
+    const bool wall = is_at_wall(island, k);
     const double turns = wall ? 0 : slip * slip * span / reach;
     const double parts = std::min(-sharp_dot(c.normal, past) - approach(island, k), turns);
     if (parts > 0) given.add(loads[k] * parts);

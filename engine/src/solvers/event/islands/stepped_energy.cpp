@@ -13,6 +13,14 @@ namespace {
 /// What begins to move goes no more than so many times as fast as gravity makes it.
 constexpr double kStarts = 4;
 
+/// Adds twice the energy of a ball's motion; takes it off where `sign` is -1.
+void add_motion(ExactSum<double>& sum, const ConeBody& body, double sign) {
+  const double mass = sign / body.inverse_mass;
+  sum.add(mass * (body.velocity.x * body.velocity.x));
+  sum.add(mass * (body.velocity.y * body.velocity.y));
+  sum.add(mass / 2 * (body.turning * body.turning));
+}
+
 }  // namespace
 
 template <class Ahead>
@@ -23,13 +31,10 @@ auto SteppedEnergy::sum(const IslandMotion& island, const Ahead& ahead_of) const
   ExactSum<double> others;
   for (std::size_t m = 0; m < island.bodies.size(); ++m) {
     const ConeBody& body = island.bodies[m];
-    const double mass = 1 / body.inverse_mass;
     const bool steps = island.support[m] == kStepped;
-    ExactSum<double>& moving = steps ? stepped : others;
-    moving.add(mass * (body.velocity.x * body.velocity.x));
-    moving.add(mass * (body.velocity.y * body.velocity.y));
-    moving.add(mass / 2 * (body.turning * body.turning));
+    add_motion(steps ? stepped : others, body, 1);
     if (!steps) continue;
+    const double mass = 1 / body.inverse_mass;
     const double span = 2 * ahead_of(m);
     ahead.add(span * mass * (g.x * body.velocity.x));
     ahead.add(span * mass * (g.y * body.velocity.y));
@@ -53,15 +58,9 @@ double SteppedEnergy::of_leaving(const IslandMotion& island, const std::vector<C
   ExactSum<double> more;
   for (std::size_t m = 0; m < before.size(); ++m) {
     if (were[m] != kStepped || island.support[m] >= kResting) continue;
-    const double mass = 1 / before[m].inverse_mass;
-    const auto add = [&](const ConeBody& body, double sign) {
-      more.add(sign * mass * (body.velocity.x * body.velocity.x));
-      more.add(sign * mass * (body.velocity.y * body.velocity.y));
-      more.add(sign * mass / 2 * (body.turning * body.turning));
-    };
-    add(island.bodies[m], 1);
-    add(before[m], -1);
-    const double ahead = 2 * island.gravity[m].ahead * mass;
+    add_motion(more, island.bodies[m], 1);
+    add_motion(more, before[m], -1);
+    const double ahead = 2 * island.gravity[m].ahead * (1 / before[m].inverse_mass);
     more.add(ahead * (g.x * before[m].velocity.x));
     more.add(ahead * (g.y * before[m].velocity.y));
   }
