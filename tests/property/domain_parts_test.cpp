@@ -111,9 +111,18 @@ TEST(NearLists, HoldWhatWasPutIn) {
         const std::uint32_t groups = below(random, 8);
         for (std::uint32_t k = 0; k < groups; ++k) {
           const std::uint32_t mask = seed % 4 == 0 ? 255 : below(random, 256);
-          near.add(8 * k, mask);
+          std::array<Slot, 8> some{};
+          for (std::uint32_t b = 0; b < 8; ++b)
+            some[b] = static_cast<Slot>(8 * k + (b * 3 + k) % 8);
+          const bool in_row = below(random, 2) == 0;
+          if (in_row) {
+            near.add(8 * k, mask);
+          } else {
+            near.add(some.data(), mask);
+          }
           for (std::uint32_t b = 0; b < 8; ++b) {
-            if ((mask >> b & 1) != 0) expected[ball].insert(static_cast<Slot>(8 * k + b));
+            const auto in_order = static_cast<Slot>(8 * k + b);
+            if ((mask >> b & 1) != 0) expected[ball].insert(in_row ? in_order : some[b]);
           }
         }
         lists.clear(ball);
@@ -211,6 +220,18 @@ TEST(NearSearch, FindsAllThatAreNearAndFewOthers) {
           seen.insert(k + static_cast<std::uint32_t>(std::countr_zero(mask)));
         }
       });
+      std::vector<Slot> some;
+      for (std::uint32_t k = first; k < last; ++k) {
+        if (k != i) some.push_back(static_cast<Slot>(k));
+      }
+      std::shuffle(some.begin(), some.end(), random);
+      const auto count = static_cast<std::uint32_t>(some.size());
+      some.resize(some.size() + NearSearch::kAtATime);
+      std::set<std::uint32_t> seen_one_by_one;
+      search.each_of(i, some.data(), count, [&](const Slot* slots, std::uint32_t mask) {
+        for (; mask != 0; mask &= mask - 1) seen_one_by_one.insert(slots[std::countr_zero(mask)]);
+      });
+      ASSERT_EQ(seen_one_by_one, seen) << seed;
       for (std::uint32_t k = 0; k < n; ++k) {
         const double gap = plane.distance(i, k) - reach - radii[i] - radii[k];
         const bool asked = k >= first && k < last && k != i;

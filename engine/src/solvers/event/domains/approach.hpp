@@ -43,10 +43,16 @@ class Approach {
   /// One ball as the others see it.
   struct Seer {
     Lanes x, y, vx, vy, radius;
+    bool wraps;  ///< the paths of others may be in another image
   };
-  [[nodiscard]] Seer seer(const Path& path, Slot ball) const {
-    return {all(path.x), all(path.y), all(path.vx), all(path.vy),
-            all(radii_ == nullptr ? 0 : radii_[ball])};
+  /// `by_end`: whether it may, on an axis that wraps.
+  [[nodiscard]] Seer seer(const Path& path, Slot ball, bool by_end = true) const {
+    return {all(path.x),
+            all(path.y),
+            all(path.vx),
+            all(path.vy),
+            all(radii_ == nullptr ? 0 : radii_[ball]),
+            by_end && wraps_};
   }
 
   // Lanes by reference: by value and not inlined, GCC 12 leaves some on the stack at every turn.
@@ -68,7 +74,7 @@ class Approach {
     Lanes dy = y - me.y;
     const Lanes ux = vx - me.vx;
     const Lanes uy = vy - me.vy;
-    if (wraps_) {
+    if (me.wraps) {
       // The image that is near now: they may have gone round since the start of the window.
       dx = fused(-period_x_, whole(fused(ux, now, dx) * per_x_), dx);
       dy = fused(-period_y_, whole(fused(uy, now, dy) * per_y_), dy);

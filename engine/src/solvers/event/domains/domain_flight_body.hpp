@@ -123,8 +123,29 @@ void DomainLoop<P>::choose_circle(Slot i, FixedTime now) {
   Side& side = sides_[i];
   side.x = static_cast<float>(at.x + shift.x);
   side.y = static_cast<float>(at.y + shift.y);
+  note_ends(i);
   side.leaves = exit(i, now);
   note_walls(i);
+}
+
+// Of axes that wrap: the middle of its circle is kept between them, so that two circles that are
+// not by an end are near to each other in these images, or in none.
+template <class P>
+[[gnu::always_inline]] inline void DomainLoop<P>::note_ends(Slot i) {
+  Side& side = sides_[i];
+  side.by_end = tracked_;
+  if (tracked_) return;  // its displacement is measured in one image
+  const auto note = [&](std::size_t axis, float& middle, double& path) {
+    if (!window_.wraps[axis]) return;
+    const double shift = periods_[axis] * std::rint(middle * per_period_[axis]);
+    if (shift != 0) {
+      middle = static_cast<float>(middle - shift);
+      path -= shift;
+    }
+    if (!(std::abs(middle) < inside_[axis])) side.by_end = true;
+  };
+  note(0, side.x, paths_[i].x);
+  note(1, side.y, paths_[i].y);
 }
 
 // Its circle, its radius taken off the room it has.

@@ -53,6 +53,9 @@ void DomainLoop<P>::begin(const DomainWindow& window, const Memory& memory) {
   if constexpr (P::Law::kStretches) bend_ *= std::exp(2 * motion_.law().rate * end_);
   skin_square_ = window.skin * window.skin * (1 - 0x1p-20);
   near_ = 2 * window.skin * (1 + 0x1p-20);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    inside_[axis] = periods_[axis] / 2 - 2 * (motion_.largest_radius() + window.skin) - near_;
+  }
   loading_.clear();
   unusual_ = false;
   tally_ = {};
@@ -164,6 +167,7 @@ void DomainLoop<P>::sort_into_slots() {
   paths_.resize(n + NearLists::kShort + 2);
   sides_.resize(n);
   memories_.resize(n);
+  around_.resize(n + NearSearch::kAtATime);
   tracks_.resize(tracked_ ? n : 0);
   spins_.resize(motion_.rules().spins ? n : 0);
   lefts_.resize(falls_on_fixed_ ? n : 0);
@@ -199,47 +203,41 @@ void DomainLoop<P>::sort_into_slots() {
     } else {
       cells_.add(static_cast<Slot>(k), ball.cell);
     }
+    note_ends(static_cast<Slot>(k));
     side.leaves = side.fixed ? never<double>() : exit(static_cast<Slot>(k), window_.from);
     note_walls(static_cast<Slot>(k));
     side.far = flies_far(flight, window_.until);
   }
 }
 
-template <class P>
-void DomainLoop<P>::link(Slot i, Slot j) {
-  lists_.add(i, j);
-  lists_.add(j, i);
-}
-
 // A list for each ball; the fast way where a cell and those around it are all different.
 template <class P>
 void DomainLoop<P>::list_all() {
   const auto n = static_cast<std::uint32_t>(flights_.size());
-  NearLists::Gathered near;
   const auto is_large = [&](std::uint32_t k) { return radii_[k] > normal_radius_; };
   if (!large_.empty() || !cells_.plain()) {
     for (std::uint32_t i = 0; i < n; ++i) {
       const auto me = static_cast<Slot>(i);
-      near.clear();
+      gathered_.clear();
       if (!large_.empty() && is_large(i)) {
         search_.each_group(i, 0, n,
-                           [&](std::uint32_t k, std::uint32_t mask) { near.add(k, mask); });
+                           [&](std::uint32_t k, std::uint32_t mask) { gathered_.add(k, mask); });
       } else {
-        cells_.each_near(cells_.cell_of(me), [&](Slot k) { near.add(k, search_.near(i, k)); });
-        for (const Slot k : large_) near.add(k, search_.near(i, k));
+        cells_.each_near(cells_.cell_of(me), [&](Slot k) { gathered_.add(k, search_.near(i, k)); });
+        for (const Slot k : large_) gathered_.add(k, search_.near(i, k));
       }
-      lists_.set(me, near);
+      lists_.set(me, gathered_);
     }
     return;
   }
   each_cell_run(cells_.plane(), ends_, [&](const SlotRun& cell, std::span<const SlotRun> around) {
     for (std::uint32_t i = cell.first; i < cell.last; ++i) {
-      near.clear();
+      gathered_.clear();
       for (const SlotRun& run : around) {
         search_.each_group(i, run.first, run.last,
-                           [&](std::uint32_t k, std::uint32_t mask) { near.add(k, mask); });
+                           [&](std::uint32_t k, std::uint32_t mask) { gathered_.add(k, mask); });
       }
-      lists_.set(static_cast<Slot>(i), near);
+      lists_.set(static_cast<Slot>(i), gathered_);
     }
   });
 }

@@ -148,6 +148,7 @@ class DomainLoop {
     bool far : 1 = false;       ///< its flight may be long enough to start again in the window
     bool at_fixed : 1 = false;  ///< it falls, and a fixed ball is in its list
     bool bounded : 1 = false;   ///< its event is at a lower bound of its time
+    bool by_end : 1 = true;     ///< others in its list may be in another image
     [[nodiscard]] bool exactly() const { return (at_wall | far | at_fixed) != 0; }
   };
   static_assert(sizeof(Side) == 32);
@@ -177,7 +178,6 @@ class DomainLoop {
   void sort_into_slots();
   [[nodiscard]] bool any_rests() const;
   void list_all();
-  void link(Slot i, Slot j);
   void first_events();
 
   // Events: domain_loop_body.hpp.
@@ -219,6 +219,7 @@ class DomainLoop {
   [[nodiscard]] FixedTime pair_event(Slot i, Slot j) const;
   [[nodiscard]] bool flies_far(const BlockFlight& flight, FixedTime until) const;
   void note_walls(Slot i);
+  void note_ends(Slot i);
 
   const Motion<P>& motion_;
   double normal_radius_;
@@ -236,6 +237,7 @@ class DomainLoop {
   double near_ = 0;                  ///< lists reach so far beyond the two radii
   std::array<double, 2> periods_{};  ///< of the periodic axes
   std::array<double, 2> per_period_{};
+  std::array<double, 2> inside_{};    ///< from the middle: circles there are not by an end
   std::array<double, 2> farthest_{};  ///< that a flight may go
   std::array<double, 2> slow_{};      ///< no flight goes so far that begins slower in the window
   std::array<double, 2> pull_{};      ///< half of what gravity pulls with, either way
@@ -251,10 +253,11 @@ class DomainLoop {
   HugeVector<Track> tracks_;  ///< where there is a halo
   HugeVector<Index> memories_;
   std::vector<double> spins_;
-  std::vector<Index> lefts_;                         ///< where it falls on fixed balls
-  std::vector<double> radii_;                        ///< where they differ
-  std::vector<Slot> large_;                          ///< balls larger than normal
-  std::vector<Slot> found_ = std::vector<Slot>(64);  ///< by `renew`
+  std::vector<Index> lefts_;      ///< where it falls on fixed balls
+  std::vector<double> radii_;     ///< where they differ
+  std::vector<Slot> large_;       ///< balls larger than normal
+  std::vector<Slot> around_;      ///< by `renew`: in the cells around a ball,
+  NearLists::Gathered gathered_;  ///< and near to it
   NearLists lists_;
   CellChains cells_;
   BucketQueue queue_;

@@ -35,38 +35,30 @@ template <class P>
   const Slot* const old = lists_.items(i);
   for (std::uint32_t k = 0; k < size; ++k) lists_.remove(old[k], i);
   lists_.clear(i);
-  const double my_radius = radius(i);
-  const double same = 2 * my_radius + near_;
-  const bool wraps = window_.wraps[0] || window_.wraps[1];
-  std::vector<Slot>& near = found_;
-  std::size_t count = 0;
-  const auto try_link = [&](Slot k) {
-    double x = double{sides_[k].x} - side.x;
-    double y = double{sides_[k].y} - side.y;
-    if (wraps) {
-      if (window_.wraps[0]) x -= periods_[0] * std::rint(x * per_period_[0]);
-      if (window_.wraps[1]) y -= periods_[1] * std::rint(y * per_period_[1]);
-    }
-    const double reach = mixed_ ? my_radius + radii_[k] + near_ : same;
-    // Whether it is near is known late: no branch waits for that.
-    if (count == near.size()) near.resize(2 * count);
-    near[count] = k;
-    count += x * x + y * y < reach * reach ? 1U : 0U;
-  };
-  if (my_radius > normal_radius_) {
-    for (std::size_t k = 0; k < flights_.size(); ++k) try_link(static_cast<Slot>(k));
+  search_.move(i, side.x, side.y);
+  if (radius(i) > normal_radius_) {
+    search_.each_group(i, 0, static_cast<std::uint32_t>(flights_.size()),
+                       [&](std::uint32_t k, std::uint32_t mask) { gathered_.add(k, mask); });
   } else {
     const std::uint32_t cell = cells_.cell_at(side.x, side.y);
     if (cell != cells_.cell_of(i)) {
       cells_.remove(i);
       cells_.add(i, cell);
     }
-    cells_.each_near(cell, try_link);
-    for (const Slot k : large_) try_link(k);
+    std::uint32_t count = 0;
+    cells_.each_near(cell, [&](Slot k) {
+      around_[count] = k;
+      count += k == i ? 0 : 1;
+    });
+    for (const Slot k : large_) around_[count++] = k;
+    search_.each_of(i, around_.data(), count,
+                    [&](const Slot* slots, std::uint32_t mask) { gathered_.add(slots, mask); });
   }
-  for (std::size_t k = 0; k < count; ++k) {
-    if (near[k] != i) link(i, near[k]);
-  }
+  lists_.set(i, gathered_);
+  gathered_.clear();
+  const std::uint32_t found = lists_.size(i);
+  const Slot* const near = lists_.items(i);
+  for (std::uint32_t k = 0; k < found; ++k) lists_.add(near[k], i);
   if (falls_on_fixed_) note_fixed(i);
   predict(i, now);
 }
@@ -113,8 +105,8 @@ template <class P>
 template <class P>
 [[gnu::always_inline]] inline Approach::Earliest DomainLoop<P>::earliest(Slot i,
                                                                          double since) const {
-  return approach_.earliest(approach_.seer(paths_[i], i), paths_.data(), lists_.items(i),
-                            lists_.size(i), all(since));
+  return approach_.earliest(approach_.seer(paths_[i], i, sides_[i].by_end), paths_.data(),
+                            lists_.items(i), lists_.size(i), all(since));
 }
 
 // `first`, with `partner`, and `others`: as the bounds of Approach.
@@ -195,7 +187,7 @@ template <class P>
   const Lanes present = all(straightened(seconds(now)));
   const std::uint32_t size = lists_.size(i);
   const Slot* const others = lists_.items(i);
-  const Approach::Seer me = approach_.seer(paths_[i], i);
+  const Approach::Seer me = approach_.seer(paths_[i], i, side.by_end);
   for (std::uint32_t k = 0; k < size; k += kLanes) {
     const Lanes bounds = approach_.bounds(me, paths_.data(), others + k, present);
     const WholeLanes soon = bounds < all(soonest);

@@ -63,6 +63,21 @@ class NearLists {
       }
 #endif
     }
+    /// Ball slots[b] for each bit b of the mask, of eight; eight can be read.
+    [[gnu::always_inline]] void add(const Slot* slots, std::uint32_t mask) {
+      if (size_ > kMost) size_ = spill();
+#if defined(__AVX2__)
+      const __m128i bits = _mm_cvtsi64_si128(static_cast<long long>(kBitsOf[mask]));
+      const __m128i bytes = _mm_add_epi16(
+          _mm_mullo_epi16(_mm_cvtepu8_epi16(bits), _mm_set1_epi16(0x0202)), _mm_set1_epi16(0x0100));
+      const __m128i eight = _mm_loadu_si128(reinterpret_cast<const __m128i*>(slots));
+      _mm_storeu_si128(reinterpret_cast<__m128i*>(items_.data() + size_),
+                       _mm_shuffle_epi8(eight, bytes));
+      size_ += static_cast<std::uint32_t>(std::popcount(mask));
+#else
+      for (; mask != 0; mask &= mask - 1) items_[size_++] = slots[std::countr_zero(mask)];
+#endif
+    }
 
    private:
     friend class NearLists;
