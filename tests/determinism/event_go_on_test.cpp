@@ -30,6 +30,12 @@ const char* const kScenes[] = {
     R"({"box": {"width": 20, "height": 10},
         "effects": {"walls": {}, "collisions": {}, "friction": {"balls": 0.2, "walls": 0.3}},
         "fill": [{"count": 40, "radius": 0.3, "temperature": 2}], "seed": 9})",
+    // A contact island that keeps its energy: flights of it are counted without some.
+    R"({"box": {"width": 10, "height": 6},
+        "effects": {"walls": {}, "collisions": {}, "gravity": [0.5, -9.81]},
+        "balls": [{"position": [3, 0.5]}, {"position": [4, 0.5]}, {"position": [5, 0.5]},
+                  {"position": [3.5, 1.3660254037845]}, {"position": [4.5, 1.3660254037845]},
+                  {"position": [4, 2.232050807569]}]})",
     // A ball that ends with the velocity -0.
     R"({"box": {"width": 4, "height": 4, "origin": "center"}, "effects": {"walls": {"restitution": 0}},
         "solver": {"digits": 34}, "balls": [{"position": [0.4, -0.3], "velocity": [1, -20]},

@@ -43,15 +43,15 @@ void try_seed(std::uint64_t seed, bool prints) {
   if (prints) std::puts(write_scene(scene).c_str());
 }
 
-/// It is not yet true of these, which have 9e-6 and 2e-6 of their energy unbooked.
-bool fails(std::uint64_t seed) {
+/// 25, in 34 digits, takes half a minute; 90 has 2e-6 of its energy unbooked still.
+bool is_left_out(std::uint64_t seed) {
   return seed == 25 || seed == 90;
 }
 
 TEST(LatticeRun, EndsAndKeepsItsEnergyBook) {
   const auto [from, to] = test::seeds(1, 121);
   for (std::uint64_t seed = from; seed <= to; ++seed) {
-    if (from == to || !fails(seed)) try_seed(seed, from == to);
+    if (from == to || !is_left_out(seed)) try_seed(seed, from == to);
   }
 }
 

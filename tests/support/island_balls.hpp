@@ -32,9 +32,10 @@ struct IslandBalls {
   Motion<Ballistic> motion;
   HugeVector<Disk> disks;
   std::vector<double> spins;
+  std::vector<double> left_out;
   FixedTime next_step = kNever;
   Neighbours<Ballistic> neighbours{motion};
-  IslandSearch<Ballistic> search{motion, {disks, spins, next_step}, neighbours};
+  IslandSearch<Ballistic> search{motion, {disks, spins, next_step, left_out}, neighbours};
   JamLevel jam;
   IslandImpulses<Ballistic> impulses{motion, jam};
 

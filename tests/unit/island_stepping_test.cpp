@@ -75,6 +75,21 @@ TEST(IslandStepping, ABallOnASlopeSlidesOn) {
   }
 }
 
+// The same where nothing takes energy: it begins no faster than gravity makes it.
+TEST(IslandStepping, AnElasticBallOnASlopeBeginsAsSlowly) {
+  IslandBalls balls(island_rules(1, 1));
+  balls.add(0.5, std::sqrt(0.75));
+  balls.left_out = {0};
+  balls.add_fixed(0, 0);
+  const Stepped after = stepped(balls, 0);
+  const Vec<double>& v = after.island.bodies[0].velocity;
+  const double speed = 0.5 * balls.motion.speed_of_step();
+  EXPECT_NEAR(v.x, speed * 0.5 * std::sqrt(0.75), 1e-3 * speed);
+  EXPECT_NEAR(v.y, -speed * 0.25, 1e-3 * speed);
+  EXPECT_NEAR(after.change.carried.lost, 0, 1e-16);
+  EXPECT_NEAR(after.island.left_out[0], speed * speed * 0.25 / 2, 1e-3 * speed * speed);
+}
+
 // What was given half of what gravity makes in its flight gets the other half, with the speed that
 // a ball has that was free all the time; then gravity has given nothing ahead.
 TEST(IslandStepping, WhatNothingCarriesAnyMoreLeavesWithAllThatGravityMade) {

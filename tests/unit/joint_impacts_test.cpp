@@ -54,7 +54,7 @@ struct Joint {
     group.contacts.push_back({a, b, place(b) - place(a), restitution});
   }
   JointImpacts<Ballistic>::Outcome run() {
-    auto outcome = impacts.resolve(group, nullptr);
+    auto outcome = impacts.resolve(group, nullptr, false);
     impacts.begin_flights(group, outcome.changed, kNow);
     return outcome;
   }

@@ -78,6 +78,58 @@ TEST(SteppedEnergy, IsKept) {
   EXPECT_GT(faster, 50);
 }
 
+// On a slope of 30 degrees, under a pull of 2, a ball gets a h / 2 = h / 2 in the first half of its
+// flight, and in the middle of that is a h^2 / 8 above where it would be on its straight way:
+// m a a h^2 / 8, of a mass of 2.
+TEST(SteppedEnergy, LeavesOutWhatABentPathHasInItsMiddle) {
+  const double h = 0.5;
+  const Vec<double> slope{std::sqrt(0.75), -0.5};
+  for (const double owed : {0.0, h / 2}) {
+    IslandMotion island = of_two(kStepped, 0);
+    island.left_out = {7, 7};
+    island.gravity = {{owed, 0}, {0, 0}};
+    const std::vector<ConeBody> before = island.bodies;
+    for (ConeBody& body : island.bodies) body.velocity = body.velocity + (owed + h / 2) * slope;
+    energy(true).leave_out(island, before, {h});
+    EXPECT_NEAR(island.left_out[0], 2 * h * h / 8, 1e-15) << owed;
+    EXPECT_EQ(island.left_out[1], 0);
+  }
+}
+
+// From rest down that slope, h later: nothing has to change so that the energy is kept.
+TEST(SteppedEnergy, IsKeptByWhatBeginsToSlide) {
+  const double h = 0.5;
+  IslandMotion island;
+  island.support = {kStepped};
+  island.bodies = {{{0, 0}, 0, 0.5}};
+  island.left_out = {0};
+  island.gravity = {{0, 0}};
+  const std::vector<ConeBody> before = island.bodies;
+  const Vec<double> half = (h / 2) * Vec<double>{std::sqrt(0.75), -0.5};
+  island.bodies[0].velocity = half;
+  energy(true).leave_out(island, before, {h});
+  energy(true).keep(island, 0, {h}, false);
+  EXPECT_NEAR(energy(true).loss(island, 0, {h}), 0, 1e-16);
+  EXPECT_NEAR(island.bodies[0].velocity.x, half.x, 1e-7);
+  EXPECT_NEAR(island.bodies[0].velocity.y, half.y, 1e-7);
+}
+
+// Masses 2 and 1; what leaves the island takes nothing along.
+TEST(SteppedEnergy, StaysWithBallsThatHaveNoWayToGo) {
+  IslandMotion island = of_two(kStepped, kStepped);
+  island.left_out = {0.5, 0};
+  EXPECT_NEAR(energy(true).hold(island, 3), 0, 1e-15);
+  EXPECT_NEAR(island.left_out[0], 2.5, 1e-15);
+  EXPECT_NEAR(island.left_out[1], 1, 1e-15);
+  island.support = {0, kResting};
+  island.left_out = {0, 0};
+  EXPECT_NEAR(energy(true).hold(island, 3), 0, 1e-15);
+  EXPECT_EQ(island.support[1], kStepped);
+  EXPECT_EQ(island.left_out[1], 3);
+  island.support = {0, 0};
+  EXPECT_EQ(energy(true).hold(island, 3), 3);
+}
+
 TEST(SteppedEnergy, MayBeLessWhereTheIslandGivesUp) {
   IslandMotion island = of_two(kStepped, kStepped);
   const double now = energy(true).of(island, {}).all();

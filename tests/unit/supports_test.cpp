@@ -13,7 +13,8 @@ struct Carried : IslandBalls {
   std::vector<Index> left = std::vector<Index>(10, kUnknown);
   Counts counts;
   EnergyBook book;
-  Supports<Ballistic> supports{motion, {disks, spins, left}, neighbours, counts, book};
+  std::vector<double> left_out;
+  Supports<Ballistic> supports{motion, {disks, spins, left, left_out}, neighbours, counts, book};
 
   Carried() : IslandBalls(island_rules(0.5, 0.5)) {}
   [[nodiscard]] unsigned support(Index i) const { return motion.support(disks[i]); }

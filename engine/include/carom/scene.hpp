@@ -71,6 +71,7 @@ struct SavedFlight {
   std::string spin;                 ///< empty where balls have none
   std::optional<std::size_t> left;  ///< the fixed ball at which it began
   unsigned support = 0;             ///< the axes along which something carries it: 1 for x, 2 for y
+  double left_out = 0;  ///< energy that a flight of an elastic contact island is counted without
 };
 
 /// Where a saved run stood; lets it go on bit for bit.

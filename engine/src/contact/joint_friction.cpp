@@ -4,6 +4,6 @@ namespace carom::event {
 
 template class JointFriction<double>;
 template JointReport resolve_jointly(std::span<Body<double>>, std::span<const Contact<double>>,
-                                     JointFriction<double>*, JointRecord<double>*);
+                                     JointFriction<double>*, JointRecord<double>*, bool);
 
 }  // namespace carom::event

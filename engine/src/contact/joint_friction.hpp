@@ -139,10 +139,11 @@ class JointFriction {
 };
 
 /// Resolves what touches at one instant.  `friction`: null where balls have none.  `record`: null
-/// where it is not wanted.
+/// where it is not wanted.  `stops`: see JointImpact.
 template <class S>
 JointReport resolve_jointly(std::span<Body<S>> bodies, std::span<const Contact<S>> contacts,
-                            JointFriction<S>* friction, JointRecord<S>* record) {
+                            JointFriction<S>* friction, JointRecord<S>* record,
+                            bool stops = false) {
   ExactSum<double> by_friction;
   if (friction != nullptr) {
     std::vector<carom::FrictionChange> changes = friction->apply();
@@ -151,7 +152,7 @@ JointReport resolve_jointly(std::span<Body<S>> bodies, std::span<const Contact<S
     }
     if (record != nullptr) record->by_friction = std::move(changes);
   }
-  JointImpact<S> impact(bodies, contacts, record == nullptr ? nullptr : &record->strokes);
+  JointImpact<S> impact(bodies, contacts, record == nullptr ? nullptr : &record->strokes, stops);
   JointReport report = impact.resolve();
   if (record != nullptr) record->held = report.held_energy;
   report.lost += by_friction.rounded();
@@ -162,6 +163,6 @@ JointReport resolve_jointly(std::span<Body<S>> bodies, std::span<const Contact<S
 extern template class JointFriction<double>;
 extern template JointReport resolve_jointly(std::span<Body<double>>,
                                             std::span<const Contact<double>>,
-                                            JointFriction<double>*, JointRecord<double>*);
+                                            JointFriction<double>*, JointRecord<double>*, bool);
 
 }  // namespace carom::event

@@ -57,10 +57,12 @@ template <class S>
 class JointImpact {
  public:
   /// `strokes`, if there is one, is given the impulse of each contact that is counted, in turn.
+  /// `stops`: all of it is jammed.
   JointImpact(std::span<Body<S>> bodies, std::span<const Contact<S>> contacts,
-              std::vector<Stroke<S>>* strokes = nullptr)
+              std::vector<Stroke<S>>* strokes = nullptr, bool stops = false)
       : bodies_(bodies),
         strokes_(strokes),
+        stops_(stops),
         graph_(bodies, contacts),
         jammed_(contacts.size(), 0),
         turned_(contacts.size(), 0),
@@ -70,7 +72,7 @@ class JointImpact {
 
   JointReport resolve() {
     const bool elastic = is_lossless(graph_);
-    const int most = most_rounds(graph_);
+    const int most = stops_ ? 0 : most_rounds(graph_);
     const std::vector<Vec<S>> start = elastic ? motion_.velocities() : std::vector<Vec<S>>{};
     bool stopped = false;
     while (const auto approaching = this->approaching()) {
@@ -283,6 +285,7 @@ class JointImpact {
 
   std::span<Body<S>> bodies_;
   std::vector<Stroke<S>>* strokes_;
+  bool stops_;
   ContactGraph<S> graph_;
   GroupMotion<S> motion_{bodies_, graph_};
   RoundingApproaches<S> rounding_{bodies_, graph_, motion_};
@@ -296,8 +299,9 @@ class JointImpact {
 extern template class JointImpact<double>;
 
 template <class S>
-JointReport joint_impact(std::span<Body<S>> bodies, std::span<const Contact<S>> contacts) {
-  return JointImpact<S>(bodies, contacts).resolve();
+JointReport joint_impact(std::span<Body<S>> bodies, std::span<const Contact<S>> contacts,
+                         bool stops = false) {
+  return JointImpact<S>(bodies, contacts, nullptr, stops).resolve();
 }
 
 }  // namespace carom::event

@@ -40,7 +40,8 @@ namespace carom::event {
 // by which no contact closes beyond touching until the next step, friction included, and flies
 // straight till then.  So its speed is that of the middle of its flight: what joins gets g h / 2,
 // or as much of less than a step, what leaves or is hit on its way what it is owed, and the energy
-// of a flight is that of its middle.  Impacts with others still come at their own times.  Two join
+// of a flight is that of its middle; what that leaves out is kept by ball where nothing takes
+// energy (SteppedEnergy).  Impacts with others still come at their own times.  Two join
 // an island by an impact
 //   - after which they would meet again within a step, as gravity presses them together,
 //   - or shortly after both have been hit: within 2^-12 sqrt(s/g), and 2^-12 of s: contacts last

@@ -235,7 +235,9 @@ struct Table<SavedFlight> {
           "The axes along which something carries it: 1 for x, 2 for y, 3 for both; 4 to 7 sliding "
           "along a wall with friction, 8 and 9 rolling, 10 turning in a corner; 11 in a contact "
           "island at rest, 12 in one that moves, 13 joining it.")
-          .at_most(13)};
+          .at_most(13),
+      key("left_out", &SavedFlight::left_out,
+          "The energy, in joules, that a flight of an elastic contact island is counted without.")};
 };
 
 template <>

@@ -74,9 +74,10 @@ class EventLoop {
 
   /// Takes these flights, the others are forgotten; `now` is not before any of their starts.
   /// `left`: the fixed ball at which each flight began, kUnknown where there is none; empty:
-  /// at none.  `spins`: of the balls, where the rules have spins; empty: 0.
+  /// at none.  `spins`: of the balls, where the rules have spins; empty: 0.  `left_out`: see
+  /// SteppedEnergy; empty: nothing is.
   void reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left = {},
-             const std::vector<S>& spins = {});
+             const std::vector<S>& spins = {}, const std::vector<double>& left_out = {});
   /// Everything up to `until` has happened then.
   void advance_to(At until);
   // The same, where several workers solve the islands of a step:
@@ -104,6 +105,8 @@ class EventLoop {
   [[nodiscard]] const std::vector<S>& spins() const { return spins_; }
   /// The fixed ball at which a flight began; kUnknown where there is none or it does not matter.
   [[nodiscard]] Index left(Index i) const { return left_.empty() ? kUnknown : left_[i]; }
+  /// What a flight is counted without, where nothing takes energy; see SteppedEnergy.
+  [[nodiscard]] double left_out(Index i) const { return left_out_.empty() ? 0 : left_out_[i]; }
   [[nodiscard]] const Motion<P>& motion() const { return motion_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
   /// What has happened since the last time this was asked.
@@ -180,7 +183,7 @@ class EventLoop {
   void predict_changed(At now);
   /// `to_predict`: the balls whose next impact is unknown.
   void resolve_group(SimultaneousImpact& group, const std::vector<Index>& to_predict, At now);
-  /// What is taken as jammed in vain loses what its contacts have of speed.
+  /// What is taken as jammed in vain: see JamLevel.
   [[nodiscard]] bool gives_up() const { return jam_watch_.level().gives_up(); }
 
   // Contacts that rest: loop_rest_body.hpp.
@@ -192,6 +195,8 @@ class EventLoop {
   [[nodiscard]] bool is_hit_of_island(Index i, Index partner, At now) const;
   /// `hits`: balls that meet something at the present instant, those of one group together.
   void hit_islands(const std::vector<std::vector<Index>>& hits, At now);
+  /// A step of an island that nothing hits in it.
+  void step_island(FoundIsland& island, IslandChange& change) const;
   /// Counts, books and notes what has happened to an island, which flies on.
   void take_on(const FoundIsland& island, const IslandChange& change, At now);
   [[nodiscard]] bool stands(const Disk& disk, const Vec<S>& at) const {
@@ -225,8 +230,9 @@ class EventLoop {
   StepClock<typename P::Clock> step_clock_;
   /// The fixed ball a flight began at; only where balls fall on fixed disks.
   std::vector<Index> left_;
-  Time impact_time_ = 0;     ///< of the last impact: the present instant
-  SimultaneousPairs pairs_;  ///< of that instant
+  std::vector<double> left_out_;  ///< see SteppedEnergy; only where nothing takes energy
+  Time impact_time_ = 0;          ///< of the last impact: the present instant
+  SimultaneousPairs pairs_;       ///< of that instant
   Resolutions resolutions_{counts_, book_, notes_};
   FlightsBefore<P> before_;
   Ties<typename P::Clock> ties_;
@@ -236,11 +242,12 @@ class EventLoop {
       motion_, {disks_, spins_, left_, step_clock_.next()}, neighbours_, ties_};
   TouchSearch<P> touch_search_{
       motion_, {disks_, spins_, neighbours_, prediction_}, pairs_, jam_watch_.level()};
-  Supports<P> supports_{motion_, {disks_, spins_, left_}, neighbours_, counts_, book_};
+  Supports<P> supports_{motion_, {disks_, spins_, left_, left_out_}, neighbours_, counts_, book_};
   JointImpacts<P> joint_impacts_{motion_, {disks_, spins_, left_}};
   SimultaneousChoice<P> choice_{
       motion_, {disks_, prediction_}, {pairs_, resolutions_, ties_, jam_watch_.level()}};
-  IslandSearch<P> island_search_{motion_, {disks_, spins_, step_clock_.next()}, neighbours_};
+  IslandSearch<P> island_search_{
+      motion_, {disks_, spins_, step_clock_.next(), left_out_}, neighbours_};
   IslandImpulses<P> island_impulses_{motion_, jam_watch_.level()};
   IslandImpact<P> island_impact_{motion_, disks_, island_impulses_};
   IslandStepping<P> island_stepping_{motion_, disks_, island_impulses_};

@@ -18,7 +18,7 @@ EventLoop<P>::EventLoop(std::shared_ptr<const Motion<P>> motion, std::size_t pop
 
 template <class P>
 void EventLoop<P>::reset(const std::vector<Disk>& disks, At now, const std::vector<Index>& left,
-                         const std::vector<S>& spins) {
+                         const std::vector<S>& spins, const std::vector<double>& left_out) {
   spins_.clear();
   if (motion_.rules().spins) {
     spins_ = spins;
@@ -41,6 +41,11 @@ void EventLoop<P>::reset(const std::vector<Disk>& disks, At now, const std::vect
     left_.resize(n, kUnknown);
   } else {
     left_.clear();
+  }
+  left_out_.clear();
+  if (motion_.contacts_last() && motion_.elastic()) {
+    left_out_ = left_out;
+    left_out_.resize(n, 0);
   }
   ties_.clear();
   impact_time_ = Time(-1);  // an impact at this very moment begins an instant

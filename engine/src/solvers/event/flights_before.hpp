@@ -20,6 +20,7 @@ class FlightsBefore {
     Disk disk;
     S spin;
     Index left;  ///< the fixed ball at which it began
+    double left_out = 0;
   };
 
   void clear() { all_.clear(); }

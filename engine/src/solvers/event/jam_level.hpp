@@ -26,7 +26,8 @@ class JamLevel {
   /// So near are balls that are taken as jammed, in parts of their contact's distance.
   /// REQUIRES: jammed().
   [[nodiscard]] double gap() const;
-  /// No gap has helped: what is taken as jammed loses what its contacts have of speed.
+  /// No gap has helped: what is taken as jammed loses what its contacts have of speed, or goes
+  /// along the ways that are open with that, where nothing takes energy.
   [[nodiscard]] bool gives_up() const { return times_ > kMostDoublings; }
 
  private:

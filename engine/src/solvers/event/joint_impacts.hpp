@@ -36,11 +36,11 @@ class JointImpacts {
     JointReport report;
     std::vector<char> changed;  ///< by member: it moves otherwise than before
   };
-  /// The group's bodies move, and turn, as they do afterwards.
-  Outcome resolve(Group& group, JointRecord<S>* record) const {
+  /// The group's bodies move, and turn, as they do afterwards.  `stops`: see JointImpact.
+  Outcome resolve(Group& group, JointRecord<S>* record, bool stops) const {
     const std::vector<Body<S>> before = group.bodies;
     const std::vector<S> spins_before = group.spins;
-    Outcome outcome{report_of(group, record), std::vector<char>(group.members.size(), 0)};
+    Outcome outcome{report_of(group, record, stops), std::vector<char>(group.members.size(), 0)};
     for (std::size_t k = 0; k < group.members.size(); ++k) {
       bool same = before[k].velocity == group.bodies[k].velocity;
       if (!spins_.empty()) same = same && spins_before[k] == group.spins[k];
@@ -86,14 +86,14 @@ class JointImpacts {
   }
 
  private:
-  JointReport report_of(Group& group, JointRecord<S>* record) const {
+  JointReport report_of(Group& group, JointRecord<S>* record, bool stops) const {
     const std::span<const Contact<S>> contacts = group.contacts;
-    if (spins_.empty()) return resolve_jointly<S>(group.bodies, contacts, nullptr, record);
+    if (spins_.empty()) return resolve_jointly<S>(group.bodies, contacts, nullptr, record, stops);
     std::vector<S> radii;
     for (const Index m : group.members) radii.push_back(motion_.species(disks_[m]).radius);
     JointFriction<S> friction(group.bodies, group.spins, radii, contacts,
                               {motion_.rules().friction, motion_.rules().wall_friction});
-    return resolve_jointly<S>(group.bodies, contacts, &friction, record);
+    return resolve_jointly<S>(group.bodies, contacts, &friction, record, stops);
   }
 
   // Of several fixed balls that it touches the flight began at the one that lies first, by place.

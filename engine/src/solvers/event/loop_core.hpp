@@ -84,6 +84,8 @@ class LoopCore final : public Core {
   [[nodiscard]] Disk flight(std::size_t ball) const;
   /// The fixed ball at which the flight began; kUnknown: none.
   [[nodiscard]] Index left(std::size_t ball) const;
+  /// What its flight is counted without, as a part of an island.
+  [[nodiscard]] double left_out(std::size_t ball) const;
   /// None where balls have no friction.
   [[nodiscard]] std::optional<S> spin(std::size_t ball) const;
   [[nodiscard]] const Motion<P>& motion() const;
@@ -115,6 +117,7 @@ class LoopCore final : public Core {
   bool rests_ = false;              // contacts can come to rest
   std::vector<Index> left_;         // the fixed ball at which each began, by number
   std::vector<unsigned> supports_;  // what carries each, where contacts can rest
+  std::vector<double> left_outs_;   // see SteppedEnergy
   std::vector<Index> slot_;         // where in the event loop a ball is
   typename P::Clock scale_;
   Sharing sharing_;

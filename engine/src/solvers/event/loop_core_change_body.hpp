@@ -37,6 +37,7 @@ void LoopCore<P>::remove(std::size_t ball) {
     if (!turns.empty()) turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(ball));
   }
   supports_.erase(supports_.begin() + static_cast<std::ptrdiff_t>(ball));
+  left_outs_.erase(left_outs_.begin() + static_cast<std::ptrdiff_t>(ball));
   for (Index& left : left_) {
     if (left == kUnknown || left < ball) continue;
     left = left == ball ? kUnknown : left - 1;
@@ -74,6 +75,7 @@ void LoopCore<P>::set(const Domain& domain, const Effects& effects, bool bends) 
     }
     std::fill(left_.begin(), left_.end(), kUnknown);
     std::fill(supports_.begin(), supports_.end(), 0U);
+    std::fill(left_outs_.begin(), left_outs_.end(), 0.0);
   }
   domain_ = domain;
   effects_ = effects;

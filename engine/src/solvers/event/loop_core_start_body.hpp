@@ -26,6 +26,7 @@ void LoopCore<P>::take_flights(const Continuation& from, const std::string& sour
     const auto& left = flights[i].left;
     left_.push_back(left ? static_cast<Index>(*left) : kUnknown);
     supports_.push_back(rests_ ? flights[i].support : 0);
+    left_outs_.push_back(flights[i].left_out);
     spins_.push_back(effects_.friction ? number_of<S>(flights[i].spin) : S(0));
     const auto& start = flights_.back().start;
     const auto earliest = -P::Clock::longest_flight();
@@ -60,11 +61,13 @@ void LoopCore<P>::land() {
   flights_.resize(slot_.size());
   left_.assign(slot_.size(), kUnknown);
   supports_.assign(slot_.size(), 0);
+  left_outs_.assign(slot_.size(), 0);
   std::vector<Index> number(slot_.size());
   for (std::size_t i = 0; i < slot_.size(); ++i) number[slot_[i]] = static_cast<Index>(i);
   for (std::size_t i = 0; i < slot_.size(); ++i) {
     flights_[i] = flight(i);
     supports_[i] = motion().support(flights_[i]);
+    left_outs_[i] = left_out(i);
     const Index left = this->left(i);
     if (left != kUnknown) left_[i] = number[left];
     if (const auto spin = this->spin(i)) spins_[i] = *spin;
@@ -166,7 +169,10 @@ void LoopCore<P>::start() {
     spins.resize(balls_.size());
     for (std::size_t i = 0; i < balls_.size(); ++i) spins[slot_[i]] = spins_[i];
   }
-  loop_->reset(disks, now_.ticks, left, spins);
+  left_outs_.resize(balls_.size(), 0);
+  std::vector<double> left_outs(balls_.size());
+  for (std::size_t i = 0; i < balls_.size(); ++i) left_outs[slot_[i]] = left_outs_[i];
+  loop_->reset(disks, now_.ticks, left, spins, left_outs);
   if (log_.wanted) loop_->note_in(&log_);
   flights_.clear();
   leave_out_present_losses();

@@ -35,6 +35,12 @@ Index LoopCore<P>::left(std::size_t ball) const {
   return groups_ ? groups_->left(ball) : loop_->left(slot_[ball]);
 }
 
+// Where nothing takes energy one event loop has all balls.
+template <class P>
+double LoopCore<P>::left_out(std::size_t ball) const {
+  return loop_ ? loop_->left_out(slot_[ball]) : 0;
+}
+
 template <class P>
 const Motion<P>& LoopCore<P>::motion() const {
   if constexpr (kShares) {
@@ -160,6 +166,7 @@ void LoopCore<P>::visit_flights(const std::function<void(const SavedFlight&)>& v
     saved.support = motion().support(flight(i));
     const Index left = this->left(i);
     if (left != kUnknown) saved.left = number[left];
+    saved.left_out = left_out(i);
     visit(saved);
   }
 }

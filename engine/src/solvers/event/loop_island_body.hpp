@@ -41,7 +41,9 @@ void EventLoop<P>::hit_islands(const std::vector<std::vector<Index>>& hits, At n
           c.b == kWall ? island.near[k].partner : island.members[static_cast<std::size_t>(c.b)];
       pairs_.note_resolved(island.members[static_cast<std::size_t>(c.a)], other);
     }
-    take_on(island, island_impact_.resolve(island, next, now), now);
+    IslandChange change = island_impact_.resolve(island, next, now);
+    change.carried.lost = island_impulses_.energy().hold(island, change.carried.lost);
+    take_on(island, change, now);
     resolutions_.end();
   }
 }
@@ -71,8 +73,14 @@ void EventLoop<P>::solve_island(std::size_t k) {
                                [](const auto& near) { return near.comes; });
   if (hit) {
     change = island_impact_.resolve(island, motion_.whole_flight(), step_time_, true);
-    return;
+  } else {
+    step_island(island, change);
   }
+  change.carried.lost = island_impulses_.energy().hold(island, change.carried.lost);
+}
+
+template <class P>
+void EventLoop<P>::step_island(FoundIsland& island, IslandChange& change) const {
   FoundIsland before;
   if (motion_.keeps_energy()) before = island;
   const auto number = P::Clock::steps(step_time_, motion_.step_shift());
@@ -130,6 +138,7 @@ double EventLoop<P>::fly_on(const FoundIsland& island, At now) {
     disk.start = now;
     motion_.set_support(disk, island.support[m]);
     left_[i] = kUnknown;
+    if (!left_out_.empty()) left_out_[i] = island.left_out[m];
     moves = moves || island.support[m] == kStepped;
     changed_.push_back(i);
   }

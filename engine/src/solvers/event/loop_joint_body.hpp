@@ -53,8 +53,8 @@ void EventLoop<P>::resolve_group(SimultaneousImpact& group, const std::vector<In
       [this](const Contact<S>&, Index i, Index partner) { pairs_.note_resolved(i, partner); });
   ++counts_.joint_impacts;
   JointRecord<S> record;
-  const auto [report, new_flight] =
-      joint_impacts_.resolve(group, notes_.wanted() ? &record : nullptr);
+  const auto [report, new_flight] = joint_impacts_.resolve(
+      group, notes_.wanted() ? &record : nullptr, gives_up() && motion_.elastic());
   const std::size_t first_line = notes_.lines();
   if (notes_.wanted()) writer_.joint(group, record, now);
   const auto walls = static_cast<std::uint64_t>(report.walls);

@@ -21,7 +21,7 @@ void EventLoop<P>::begin_simultaneous() {
 template <class P>
 void EventLoop<P>::remember(Index i) {
   if (motion_.fixed(disks_[i]) || !resolutions_.add(i)) return;
-  before_.add({i, disks_[i], spins_.empty() ? S(0) : spins_[i], left(i)});
+  before_.add({i, disks_[i], spins_.empty() ? S(0) : spins_[i], left(i), left_out(i)});
 }
 
 template <class P>
@@ -45,6 +45,7 @@ void EventLoop<P>::take_back(std::vector<Index>& balls) {
     disks_[k].leaves = leaves;
     if (!spins_.empty()) spins_[k] = before.spin;
     if (!left_.empty()) left_[k] = before.left;
+    if (!left_out_.empty()) left_out_[k] = before.left_out;
     schedule_.forget(k);
   });
   resolutions_.take_back(chosen);

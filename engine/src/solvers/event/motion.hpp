@@ -83,7 +83,8 @@ class Motion {
   /// Gives the energy that the impact takes.
   double bounce(Disk& disk, S* spin, Index wall, At now) const;
   /// A ball that has bounced off a wall which gravity presses it to, so slowly that it is back
-  /// shortly, stays there; gives the energy that this takes.
+  /// shortly, stays there, and goes along the wall with that; gives the energy of one that does not
+  /// go along it.
   double end_bounce(Disk& disk, Index wall) const;
   struct Strike {
     double overlap;  ///< how deep the two overlapped, as a part of the smaller radius

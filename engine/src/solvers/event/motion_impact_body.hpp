@@ -43,6 +43,13 @@ double Motion<P>::end_bounce(Disk& disk, Index wall) const {
   S& v = axis == 0 ? disk.vx : disk.vy;
   const S pressing = -side * law_.pull(axis);
   if (!barely_bounces(S(side * v), pressing, S(2 * species(disk).radius))) return 0;
+  S& along = axis == 0 ? disk.vy : disk.vx;
+  if (along != 0) {
+    const S speed = root(S(along * along + v * v));
+    along = along > 0 ? speed : S(-speed);
+    v = 0;
+    return 0;
+  }
   const double lost = moving_energy(disk, v);
   v = 0;
   return lost;

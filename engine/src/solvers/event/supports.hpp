@@ -26,8 +26,9 @@ class Supports {
   /// The flights of all balls.
   struct Flights {
     HugeVector<Disk>& disks;
-    std::vector<S>& spins;           ///< empty: they have none
-    const std::vector<Index>& left;  ///< the fixed ball at which each began
+    std::vector<S>& spins;                ///< empty: they have none
+    const std::vector<Index>& left;       ///< the fixed ball at which each began
+    const std::vector<double>& left_out;  ///< see SteppedEnergy; empty: nothing is
   };
   /// All must outlive this.  What rest takes is noted in the book.
   Supports(const Motion<P>& motion, const Flights& flights, Neighbours<P>& neighbours,
@@ -36,6 +37,7 @@ class Supports {
         disks_(flights.disks),
         spins_(flights.spins),
         left_(flights.left),
+        left_out_(flights.left_out),
         neighbours_(neighbours),
         counts_(counts),
         book_(book) {}
@@ -83,12 +85,14 @@ class Supports {
     }
   }
   /// The energy that gravity has given to islands ahead of what they will have fallen at `next`,
-  /// when they are stepped.
+  /// when they are stepped, less what these flights are counted without.
   [[nodiscard]] double given_ahead(At now, At next) const {
     double sum = 0;
-    for (const Disk& disk : disks_) {
+    for (Index i = 0; i < disks_.size(); ++i) {
+      const Disk& disk = disks_[i];
       if (motion_.fixed(disk) || motion_.support(disk) != kStepped) continue;
       sum += motion_.given_ahead(disk, now, next);
+      if (!left_out_.empty()) sum -= left_out_[i];
     }
     return sum;
   }
@@ -100,6 +104,7 @@ class Supports {
   HugeVector<Disk>& disks_;
   std::vector<S>& spins_;
   const std::vector<Index>& left_;
+  const std::vector<double>& left_out_;
   Neighbours<P>& neighbours_;
   Counts& counts_;
   EnergyBook& book_;

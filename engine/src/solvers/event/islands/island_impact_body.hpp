@@ -23,8 +23,7 @@ inline constexpr double kAmiss = 64;
 inline constexpr double kLeastPart = 0x1p-4;
 
 // Who leaves falls by itself until the next step: what gravity has given it ahead is taken back, or
-// given if it is owed, but for what the contacts that it presses on have taken of that. Where
-// nothing else loses energy, one factor for the whole island sees to that.
+// given if it is owed, but for what the contacts that it presses on have taken of that.
 template <class P>
 void IslandImpact<P>::take_back(Island& island) const {
   const double part = motion_.whole_flight().given();
@@ -62,9 +61,7 @@ auto IslandImpact<P>::reflect(Island& island) const -> Reflection {
   std::vector<Body<double>> bodies;
   for (const ConeBody& body : island.bodies) bodies.push_back({body.velocity, body.inverse_mass});
   std::vector<Contact<double>> contacts;
-  const auto restitution = [this](double of_impact) {
-    return impulses_.gives_up() ? 0 : of_impact;
-  };
+  const auto restitution = [this](double of_impact) { return impulses_.loses() ? 0 : of_impact; };
   const double of_balls = restitution(static_cast<double>(motion_.rules().restitution));
   const double of_walls = restitution(static_cast<double>(motion_.rules().wall_restitution));
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
@@ -80,7 +77,8 @@ auto IslandImpact<P>::reflect(Island& island) const -> Reflection {
       bodies.push_back({{0, 0}, 0});
     }
   }
-  const JointReport report = joint_impact<double>(bodies, contacts);
+  const JointReport report =
+      joint_impact<double>(bodies, contacts, impulses_.gives_up() && motion_.elastic());
   for (std::size_t m = 0; m < island.bodies.size(); ++m) {
     island.bodies[m].velocity = bodies[m].velocity;
   }
@@ -222,11 +220,13 @@ auto IslandImpact<P>::bounce(Island& island, const IslandHits& hits, const Try& 
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     island.contacts[k].parting = hits.parts[k] != 0 ? part * of.parting[k] : 0;
   }
+  const std::vector<ConeBody> before = island.bodies;
   give_support(island, hits, of.next, change.woken);
   std::vector<double>& loads = change.carried.impulses;
   loads.assign(island.contacts.size(), 0);
   hold_on(island, of, loads);
   put_on_walls(island);
+  impulses_.energy().leave_out(island, before, of.next);
   const bool fits = !(part > 0) || has_room(island, of);
   for (ConeContact& contact : island.contacts) contact.parting = 0;
   if (!fits) return Bounce::has_no_room;
@@ -237,7 +237,7 @@ auto IslandImpact<P>::bounce(Island& island, const IslandHits& hits, const Try& 
     return now.all() - of.had - back > most * (now.stepped + now.others);
   };
   if (part > 0 && makes(kMade)) return Bounce::makes_energy;
-  if (energy.keep(island, of.kept + back, of.next, impulses_.gives_up())) {
+  if (energy.keep(island, of.kept + back, of.next, impulses_.loses())) {
     if (motion_.keeps_energy()) {
       impulses_.keep_gaps(island, of.kept, of.next, of.goal, loads);
     } else {
@@ -270,10 +270,7 @@ IslandChange IslandImpact<P>::resolve(Island& island, const SteppedFlight& next,
                                     kSolved
                               : kSolved * hits.fastest;
   const double opens = steps ? impulses_.opens() : 0;
-  const bool takes_back =
-      elastic && !motion_.keeps_energy() && !steps && next.seconds > 0 && !impulses_.gives_up();
-  if (takes_back) take_back(island);
-  const double has = energy.so_far(island);
+  if (elastic) take_back(island);
   double held = 0;
   std::vector<double> parting(island.contacts.size(), 0);
   const auto reflect = [&] {
@@ -290,7 +287,7 @@ IslandChange IslandImpact<P>::resolve(Island& island, const SteppedFlight& next,
       if (hits.parts[k] != 0) parting[k] = this->parting(island, k, hits, next);
     }
   }
-  const Try of{std::move(parting), next, goal, opens, std::move(before), has, has - 2 * held};
+  const Try of{std::move(parting), next, goal, opens, std::move(before), had, had - 2 * held};
   if (elastic || joint || !hits.bounces) {
     (void)bounce(island, hits, of, 0, change);
   } else {

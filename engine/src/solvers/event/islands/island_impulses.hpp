@@ -34,8 +34,10 @@ class IslandImpulses {
     return (motion_.elastic() ? kSolved : 1) * kOpens *
            static_cast<double>(motion_.speed_of_step());
   }
-  /// What is taken as jammed in vain loses what its contacts have of speed.
+  /// What is taken as jammed in vain loses what its contacts have of speed, or keeps its energy
+  /// without them, where nothing takes any.
   [[nodiscard]] bool gives_up() const { return jam_.gives_up(); }
+  [[nodiscard]] bool loses() const { return gives_up() && !motion_.elastic(); }
 
   /// Whether the contact is one of a step, and not an impact to come; where balls lose energy, all
   /// near ones are.

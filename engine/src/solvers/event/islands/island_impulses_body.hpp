@@ -67,10 +67,10 @@ bool IslandImpulses<P>::closes(const Island& island, const SteppedFlight& next) 
 template <class P>
 void IslandImpulses<P>::keep_gaps(Island& island, double had, const SteppedFlight& next,
                                   double goal, std::vector<double>& loads) const {
-  if (!motion_.keeps_energy() || gives_up() || !(next.seconds > 0)) return;
+  if (!motion_.keeps_energy() || loses() || !(next.seconds > 0)) return;
   for (int round = 0; round < kMostTurns && closes(island, next); ++round) {
     press(island, next, goal, loads);
-    energy_.keep(island, had, next, gives_up());
+    energy_.keep(island, had, next, loses());
   }
   // Where nothing else can move what it should keep is held: that is told, an overlap is not.
   if (closes(island, next)) press(island, next, goal, loads);

@@ -15,6 +15,7 @@ struct IslandMotion {
   std::vector<unsigned> support;         ///< by ball; see support.hpp
   std::vector<ConeBody> bodies;          ///< by ball
   std::vector<GravityOfFlight> gravity;  ///< by ball: of its flight till now
+  std::vector<double> left_out;          ///< by ball: energy, see SteppedEnergy; empty: none
   std::vector<ConeContact> contacts;     ///< of two balls, or of one and what never moves
   std::vector<char> touches;             ///< by contact; else it is only near
   double lifted = 0;                     ///< the height that balls were given, in energy

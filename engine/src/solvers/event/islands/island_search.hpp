@@ -27,8 +27,9 @@ class IslandSearch {
   /// What is known of the balls.
   struct Balls {
     const HugeVector<Disk>& disks;
-    const std::vector<S>& spins;  ///< empty: they have none
-    const Time& next_step;        ///< of islands; never(): none is stepped
+    const std::vector<S>& spins;          ///< empty: they have none
+    const Time& next_step;                ///< of islands; never(): none is stepped
+    const std::vector<double>& left_out;  ///< see SteppedEnergy; empty: nothing is
   };
 
   /// All must outlive this.
@@ -37,6 +38,7 @@ class IslandSearch {
         disks_(balls.disks),
         spins_(balls.spins),
         next_step_(balls.next_step),
+        left_out_(balls.left_out),
         neighbours_(neighbours) {}
 
   /// There are `balls` balls.
@@ -80,6 +82,7 @@ class IslandSearch {
   const HugeVector<Disk>& disks_;
   const std::vector<S>& spins_;
   const Time& next_step_;
+  const std::vector<double>& left_out_;
   Time ends_ = P::Clock::never();  ///< when flights of what is stepped end; never(): unknown
   Neighbours<P>& neighbours_;
   std::vector<int> number_;  ///< in the island that is looked at; -1: none

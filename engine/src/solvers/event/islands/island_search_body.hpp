@@ -125,6 +125,7 @@ void IslandSearch<P>::join(Island& island, Index i, At now) {
                            static_cast<double>(species.inverse_mass)});
   const bool ends = ends_ != P::Clock::never();
   island.gravity.push_back(ends ? motion_.gravity_of(disk, now, ends_) : GravityOfFlight{});
+  if (!left_out_.empty()) island.left_out.push_back(left_out_[i]);
   for (Index wall = kWalls; wall < kWalls + 4; ++wall) {
     const std::size_t axis = (wall - kWalls) / 2;
     if (!motion_.rules().domain.solid(axis)) continue;

@@ -296,9 +296,10 @@ IslandChange IslandStepping<P>::step(Island& island, bool whole) const {
   const std::vector<unsigned> were = island.support;
   change.counts.resting_contacts = give_support(island, ends, carrying, moves, stands, stays);
   put_on_walls(island, ends, carrying, stays, scale);
+  energy.leave_out(island, before, scale.next);
   double keeps = had;
   if (!motion_.keeps_energy()) keeps += energy.of_leaving(island, before, were) + given;
-  if (energy.keep(island, keeps, scale.next, impulses_.gives_up())) {
+  if (energy.keep(island, keeps, scale.next, impulses_.loses())) {
     impulses_.keep_gaps(island, keeps, scale.next, scale.goal, pressed.loads);
   }
   if (!motion_.elastic()) rest_if_stopped(island, before);

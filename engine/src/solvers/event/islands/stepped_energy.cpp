@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "numbers/exact_sum.hpp"
 #include "solvers/event/support.hpp"
@@ -12,6 +13,8 @@ namespace {
 
 /// What begins to move goes no more than so many times as fast as gravity makes it.
 constexpr double kStarts = 4;
+/// What is slowed down by more has been left out too much of.
+constexpr double kLeast = 0.5;
 
 /// Adds twice the energy of a ball's motion; takes it off where `sign` is -1.
 void add_motion(ExactSum<double>& sum, const ConeBody& body, double sign) {
@@ -39,7 +42,9 @@ auto SteppedEnergy::sum(const IslandMotion& island, const Ahead& ahead_of) const
     ahead.add(span * mass * (g.x * body.velocity.x));
     ahead.add(span * mass * (g.y * body.velocity.y));
   }
-  return {stepped.rounded(), ahead.rounded(), others.rounded()};
+  ExactSum<double> left_out;
+  for (const double energy : island.left_out) left_out.add(2 * energy);
+  return {stepped.rounded(), ahead.rounded(), others.rounded(), left_out.rounded()};
 }
 
 auto SteppedEnergy::of(const IslandMotion& island, const SteppedFlight& next) const -> Parts {
@@ -83,21 +88,80 @@ double SteppedEnergy::given_back(const IslandMotion& island, const std::vector<C
   return more.rounded();
 }
 
+void SteppedEnergy::leave_out(IslandMotion& island, const std::vector<ConeBody>& before,
+                              const SteppedFlight& next) const {
+  if (island.left_out.empty()) return;
+  for (std::size_t m = 0; m < before.size(); ++m) {
+    island.left_out[m] = 0;
+    if (island.support[m] != kStepped) continue;
+    if (!(next.given() > 0)) continue;
+    const double part = next.given() / (island.gravity[m].owed + next.given());
+    const Vec<double> made = part * (island.bodies[m].velocity - before[m].velocity);
+    island.left_out[m] = dot(made, made) / before[m].inverse_mass / 2;
+  }
+}
+
 double SteppedEnergy::loss(const IslandMotion& island, double had,
                            const SteppedFlight& next) const {
   // What was lifted onto a wall has that much more, which nothing took.
   return (had - of(island, next).all()) / 2 - island.lifted;
 }
 
+double SteppedEnergy::hold(IslandMotion& island, double lost) const {
+  if (island.left_out.empty() || lost == 0) return lost;
+  if (is_held(island, lost)) {
+    std::replace(island.support.begin(), island.support.end(), kResting, kStepped);
+  }
+  ExactSum<double> mass;
+  for (std::size_t m = 0; m < island.bodies.size(); ++m) {
+    if (island.support[m] == kStepped) mass.add(1 / island.bodies[m].inverse_mass);
+  }
+  if (!(mass.rounded() > 0)) return lost;
+  ExactSum<double> left;
+  left.add(lost);
+  for (std::size_t m = 0; m < island.bodies.size(); ++m) {
+    if (island.support[m] != kStepped) continue;
+    double& energy = island.left_out[m];
+    const double was = energy;
+    energy += lost / island.bodies[m].inverse_mass / mass.rounded();
+    left.add(was);
+    left.add(-energy);
+  }
+  return left.rounded();
+}
+
 bool SteppedEnergy::keep(IslandMotion& island, double had, const SteppedFlight& next,
                          bool gives_up) const {
-  const Parts now = of(island, next);
+  Parts now = of(island, next);
   const bool keeps = rules_.keeps;
   if (keeps) had -= 2 * island.lifted;
-  const double moving = keeps ? now.stepped + now.others : now.stepped;
-  const double rest = keeps ? had : had - now.others;
   const bool only_less = !keeps || gives_up;
+  const double moving = keeps ? now.stepped + now.others : now.stepped;
   if ((only_less && !(now.all() > had)) || !(moving > 0)) return false;
+  if (keeps && moving < std::numeric_limits<double>::epsilon() * (had - now.left_out)) return false;
+  double a = factor(island, now, had, next);
+  if (keeps && a < kLeast && now.left_out > 0) {
+    // There is not so much: the flights are counted with more.
+    const double part = std::clamp((had - now.all()) / now.left_out + 1, 0.0, 1.0);
+    for (double& energy : island.left_out) energy *= part;
+    now = of(island, next);
+    a = part > 0 ? 1 : factor(island, now, had, next);
+  }
+  if (keeps ? a == 1 : !(a < 1)) return false;
+  for (std::size_t m = 0; m < island.bodies.size(); ++m) {
+    if (!keeps && island.support[m] != kStepped) continue;
+    ConeBody& body = island.bodies[m];
+    body.velocity = a * body.velocity;
+    body.turning = a * body.turning;
+  }
+  return true;
+}
+
+double SteppedEnergy::factor(const IslandMotion& island, const Parts& now, double had,
+                             const SteppedFlight& next) const {
+  const bool keeps = rules_.keeps;
+  const double moving = keeps ? now.stepped + now.others : now.stepped;
+  const double rest = keeps ? had - now.left_out : had - now.others;
   // moving a^2 - ahead a = rest, for the largest a, or the one next to 1 if both are positive
   const double half = now.ahead / 2;
   const double square = half * half + moving * rest;
@@ -108,15 +172,7 @@ bool SteppedEnergy::keep(IslandMotion& island, double had, const SteppedFlight& 
     // What begins to slide goes faster than gravity makes it; what is only pressed does not.
     if (nearer && (other > 0 || (a > kStarts && !can_go(island, a, next.way())))) a = other;
   }
-  a = std::max(a, 0.0);
-  if (keeps ? a == 1 : !(a < 1)) return false;
-  for (std::size_t m = 0; m < island.bodies.size(); ++m) {
-    if (!keeps && island.support[m] != kStepped) continue;
-    ConeBody& body = island.bodies[m];
-    body.velocity = a * body.velocity;
-    body.turning = a * body.turning;
-  }
-  return true;
+  return std::max(a, 0.0);
 }
 
 bool SteppedEnergy::can_go(const IslandMotion& island, double a, double span) const {

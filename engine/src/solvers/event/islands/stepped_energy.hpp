@@ -10,6 +10,10 @@ namespace carom::event {
 /// The energy of contact islands but for their height, less what gravity has given ahead to balls
 /// that are stepped.
 ///
+/// Left out: a straight flight is, in its middle, lower than the path that bends all the time, by
+/// a h^2 / 8 for an acceleration a.  So a ball that joins or leaves would gain or lose m (a h /
+/// 2)^2 / 2.  Where nothing takes energy, each ball keeps that amount, and what contacts hold that
+/// cannot move, beside its flight.
 /// Holds: sums are rounded once, so that no order shows.
 /// Units: those of the scene.  `next`: the flight that begins.
 class SteppedEnergy {
@@ -27,7 +31,8 @@ class SteppedEnergy {
     double stepped;
     double ahead;
     double others;
-    [[nodiscard]] double all() const { return stepped - ahead + others; }
+    double left_out;
+    [[nodiscard]] double all() const { return stepped - ahead + others + left_out; }
   };
   [[nodiscard]] Parts of(const IslandMotion& island, const SteppedFlight& next) const;
   /// The same, of the flights so far.
@@ -42,6 +47,11 @@ class SteppedEnergy {
   [[nodiscard]] double given_back(const IslandMotion& island, const std::vector<ConeBody>& before,
                                   const SteppedFlight& next) const;
 
+  /// Notes of each ball what its flight is counted without.  `before`: how it moved before gravity
+  /// and contacts did what they do in this flight.
+  void leave_out(IslandMotion& island, const std::vector<ConeBody>& before,
+                 const SteppedFlight& next) const;
+
   /// What the contacts of an island have taken is what it has less than it had.  That may be less
   /// than nothing: a ball that joins is given ahead a fall that a contact found later at the same
   /// instant takes back.
@@ -50,8 +60,14 @@ class SteppedEnergy {
 
   /// What is left unsolved must not make energy: those that are stepped are slowed down to what
   /// there was.  Where nothing loses any, all of the island keeps what it had, by one factor; if it
-  /// `gives_up`, it may have less.  Whether anything is changed.
+  /// `gives_up`, it may have less.  Whether anything is changed.  Where what is left out would slow
+  /// the island down by much, less is; what has no way to go is not driven by its rounding.
   bool keep(IslandMotion& island, double had, const SteppedFlight& next, bool gives_up) const;
+
+  /// Where nothing loses energy: what an island has less than it had, as none of it can move with
+  /// that, stays with its stepped balls, by their masses, until some can.  Gives what is lost all
+  /// the same.
+  double hold(IslandMotion& island, double lost) const;
 
   /// Where nothing takes energy, what an island has lost beyond what its resting balls had is held
   /// by contacts that cannot move: they are jammed.
@@ -60,6 +76,9 @@ class SteppedEnergy {
  private:
   template <class Ahead>
   [[nodiscard]] Parts sum(const IslandMotion& island, const Ahead& ahead) const;
+  /// How many times as fast the island is to go.
+  [[nodiscard]] double factor(const IslandMotion& island, const Parts& now, double had,
+                              const SteppedFlight& next) const;
   /// Whether no contact closes beyond touching if all go `a` times as fast.
   [[nodiscard]] bool can_go(const IslandMotion& island, double a, double span) const;
 
