@@ -258,7 +258,8 @@ TEST(Approach, BoundsThePairTimeFromBelow) {
                        number(random, -v, v)});
       radii.push_back(mixed ? number(random, 0.1, 2) : 1);
     }
-    const Approach approach({period, 0}, 1, mixed ? radii.data() : nullptr, kSlack);
+    const Approach approach({period, 0}, 1, mixed ? radii.data() : nullptr, kSlack,
+                            number(random, 0.1, 10));
     const std::array<Slot, 4> others{1, 2, 3, 4};
     const double now = number(random, 0, 1);
     const Lanes bounds =
@@ -296,7 +297,7 @@ TEST(Approach, FindsTheTwoEarliestOfMany) {
       paths.push_back({number(random, -9, 9), number(random, -9, 9), number(random, -1, 1),
                        number(random, -1, 1)});
     }
-    const Approach approach({0, 0}, 1, nullptr, 1e-9);
+    const Approach approach({0, 0}, 1, nullptr, 1e-9, 1);
     std::array<Slot, kBalls> others{};
     for (Slot& other : others) other = static_cast<Slot>(below(random, kBalls));
     const std::uint32_t count = below(random, 20);

@@ -42,6 +42,10 @@ typedef std::int64_t WholeTwoLanes __attribute__((vector_size(16)));
 [[gnu::always_inline]] inline Lanes greater(Lanes a, Lanes b) {
   return _mm256_max_pd(a, b);
 }
+/// a where the condition is true, b elsewhere.
+[[gnu::always_inline]] inline Lanes choose(WholeLanes condition, Lanes a, Lanes b) {
+  return _mm256_blendv_pd(b, a, std::bit_cast<Lanes>(condition));
+}
 /// Whether a comparison is true in some lane.
 [[gnu::always_inline]] inline bool any(WholeLanes a) {
   return _mm256_movemask_pd(std::bit_cast<Lanes>(a)) != 0;
@@ -68,6 +72,9 @@ typedef std::int64_t WholeTwoLanes __attribute__((vector_size(16)));
 }
 [[gnu::always_inline]] inline Lanes greater(Lanes a, Lanes b) {
   return a > b ? a : b;
+}
+[[gnu::always_inline]] inline Lanes choose(WholeLanes condition, Lanes a, Lanes b) {
+  return condition ? a : b;
 }
 [[gnu::always_inline]] inline bool any(WholeLanes a) {
   return (a[0] | a[1] | a[2] | a[3]) != 0;

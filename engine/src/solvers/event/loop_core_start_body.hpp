@@ -43,8 +43,9 @@ template <class P>
 auto LoopCore<P>::flight_of(const Ball& ball) const -> Disk {
   const SolverBox<S> room(domain_);
   Disk disk;
-  disk.x = with_plain_zero(room.wrapped(0, ball.position.x()));
-  disk.y = with_plain_zero(room.wrapped(1, ball.position.y()));
+  const auto at = room.wrapped({S(ball.position.x()), S(ball.position.y())});
+  disk.x = with_plain_zero(at.x);
+  disk.y = with_plain_zero(at.y);
   disk.vx = ball.fixed ? 0 : with_plain_zero(ball.velocity.x());
   disk.vy = ball.fixed ? 0 : with_plain_zero(ball.velocity.y());
   disk.start = now_.ticks;

@@ -75,7 +75,7 @@ auto Motion<P>::way(const Vec<S>& a, const Vec<S>& b) const -> Vec<S> {
 
 template <class P>
 auto Motion<P>::wrapped(const Vec<S>& at) const -> Vec<S> {
-  return {box_.wrapped(0, at.x), box_.wrapped(1, at.y)};
+  return box_.wrapped(at);
 }
 
 template <class P>

@@ -22,6 +22,8 @@ class SolverBox {
       periodic_[axis] = domain.period[axis] > 0;
       periods_[axis] = never<S>();
       if (periodic_[axis]) periods_[axis] = domain.period[axis];
+      first_[axis] = periodic_[axis] ? lower_[axis] : S(-never<S>());
+      last_[axis] = periodic_[axis] ? upper_[axis] : never<S>();
     }
   }
 
@@ -38,8 +40,15 @@ class SolverBox {
     return high < low ? low : high;  // a ball as tall as its box, and rounding
   }
 
-  /// The image of a coordinate inside the box; mirrored coordinates give mirrored images.
-  [[nodiscard]] S wrapped(std::size_t axis, const S& x) const {
+  /// The image of a place inside the box; mirrored places give mirrored images.
+  [[nodiscard, gnu::always_inline]] inline Vec<S> wrapped(const Vec<S>& at) const {
+    const bool inside =
+        at.x >= first_[0] && at.x <= last_[0] && at.y >= first_[1] && at.y <= last_[1];
+    return inside ? at : Vec<S>{wrapped(0, at.x), wrapped(1, at.y)};
+  }
+
+ private:
+  [[nodiscard, gnu::noinline]] S wrapped(std::size_t axis, const S& x) const {
     using std::rint;
     if (!periodic_[axis] || (x >= lower_[axis] && x <= upper_[axis])) return x;
     const S centre = (lower_[axis] + upper_[axis]) / 2;
@@ -48,10 +57,11 @@ class SolverBox {
     return image <= upper_[axis] ? image : upper_[axis];
   }
 
- private:
   std::array<S, 2> lower_;
   std::array<S, 2> upper_;
   std::array<S, 2> periods_;
+  std::array<S, 2> first_;  ///< of the places that are inside; infinite unless the axis is periodic
+  std::array<S, 2> last_;
   std::array<bool, 2> solid_{};
   std::array<bool, 2> periodic_{};
 };

@@ -30,20 +30,25 @@ struct alignas(32) Path {
 class Approach {
  public:
   /// `periods`: of the axes that wrap; 0 for the others.  `radii`: by slot; null: all are `radius`.
-  Approach(const std::array<double, 2>& periods, double radius, const double* radii, double slack)
+  /// `speed`: a usual one, > 0.
+  Approach(const std::array<double, 2>& periods, double radius, const double* radii, double slack,
+           double speed)
       : wraps_(periods[0] > 0 || periods[1] > 0),
         period_x_(all(periods[0])),
         period_y_(all(periods[1])),
         per_x_(all(periods[0] > 0 ? 1 / periods[0] : 0)),
         per_y_(all(periods[1] > 0 ? 1 / periods[1] : 0)),
-        slack_(all(slack)),
-        reach_(2 * radius + slack),
+        slack_(slack),
+        receding_(all(-slack * speed)),
+        waiting_(all(slack / speed)),
+        reach_square_(all((2 * radius + slack) * (2 * radius + slack))),
         radii_(radii) {}
 
   /// One ball as the others see it.
   struct Seer {
-    Lanes x, y, vx, vy, radius;
-    bool wraps;  ///< the paths of others may be in another image
+    Lanes x, y, vx, vy;
+    Lanes radius;  ///< with the slack; unless all are equal
+    bool wraps;    ///< the paths of others may be in another image
   };
   /// `by_end`: whether it may, on an axis that wraps.
   [[nodiscard]] Seer seer(const Path& path, Slot ball, bool by_end = true) const {
@@ -51,7 +56,7 @@ class Approach {
             all(path.y),
             all(path.vx),
             all(path.vy),
-            all(radii_ == nullptr ? 0 : radii_[ball]),
+            all(radii_ == nullptr ? 0 : radii_[ball] + slack_),
             by_end && wraps_};
   }
 
@@ -64,37 +69,38 @@ class Approach {
                                                      -1})) const {
     const auto xy = [paths](Slot k) { return TwoLanes{paths[k].x, paths[k].y}; };
     const auto v = [paths](Slot k) { return TwoLanes{paths[k].vx, paths[k].vy}; };
+    const Lanes never = all(std::numeric_limits<double>::infinity());
     const Slot a = others[0];
     const Slot b = others[1];
     const Slot c = others[2];
     const Slot d = others[3];
     const auto [x, y] = unzip<Lanes>(xy(a), xy(b), xy(c), xy(d));
     const auto [vx, vy] = unzip<Lanes>(v(a), v(b), v(c), v(d));
-    Lanes dx = x - me.x;
-    Lanes dy = y - me.y;
+    // The way from the other to me, and its velocity as I see it.
     const Lanes ux = vx - me.vx;
     const Lanes uy = vy - me.vy;
+    Lanes dx = me.x - x;
+    Lanes dy = me.y - y;
     if (me.wraps) {
       // The image that is near now: they may have gone round since the start of the window.
-      dx = fused(-period_x_, whole(fused(ux, now, dx) * per_x_), dx);
-      dy = fused(-period_y_, whole(fused(uy, now, dy) * per_y_), dy);
+      dx = fused(-period_x_, whole(fused(-ux, now, dx) * per_x_), dx);
+      dy = fused(-period_y_, whole(fused(-uy, now, dy) * per_y_), dy);
     }
-    Lanes reach = all(reach_);
+    Lanes reach_square = reach_square_;
     if (radii_ != nullptr) {
-      reach = me.radius + slack_ + Lanes{radii_[a], radii_[b], radii_[c], radii_[d]};
+      const Lanes reach = me.radius + Lanes{radii_[a], radii_[b], radii_[c], radii_[d]};
+      reach_square = reach * reach;
     }
-    const Lanes zero{};
     const Lanes along = fused(dx, ux, dy * uy);
     const Lanes square = fused(ux, ux, uy * uy);
-    const Lanes gap = fused(dx, dx, fused(dy, dy, -(reach * reach)));
+    const Lanes gap = fused(dx, dx, fused(dy, dy, -reach_square));
     const Lanes discriminant = fused(along, along, -(square * gap));
-    // The quotient does not wait for the root.
-    const Lanes time = (-along - square_root(discriminant)) * (all(1.0) / square);
-    // They still come nearer, or all but.
-    const Lanes nearer = fused(square, now, along) - slack_ * (absolute(ux) + absolute(uy));
-    return ((discriminant > zero) & (nearer < zero) & asked)
-               ? time
-               : all(std::numeric_limits<double>::infinity());
+    // The quotient does not wait for the root; no number where they pass each other by.
+    const Lanes time = (along - square_root(discriminant)) * (all(1.0) / square);
+    // They still come nearer, or all but: along - square now > -slack |u|.  Instead of |u|, as a
+    // sum of the axes, is taken s + u^2 / s, which is larger for any s.
+    const WholeLanes nearer = fused(-square, now - waiting_, along) > receding_;
+    return lesser(choose(nearer & asked, time, never), never);
   }
 
   /// The least of the bounds of many, whose it is, and the least of the others.
@@ -166,8 +172,10 @@ class Approach {
   Lanes period_y_;
   Lanes per_x_;
   Lanes per_y_;
-  Lanes slack_;
-  double reach_;
+  double slack_;
+  Lanes receding_;
+  Lanes waiting_;
+  Lanes reach_square_;  ///< where all radii are equal
   const double* radii_;
 };
 

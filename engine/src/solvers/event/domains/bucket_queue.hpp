@@ -29,7 +29,8 @@ class BucketQueue {
   void reset(std::size_t balls, FixedTime window, double buckets_of_ball = 1) {
     const double wanted = static_cast<double>(balls) * buckets_of_ball;
     const auto buckets = static_cast<std::uint32_t>(std::clamp(wanted, 16.0, double{kMostBuckets}));
-    heads_.assign(buckets, kNoSlot);
+    heads_.assign(buckets + 1, kNoSlot);
+    heads_[buckets] = kEnd;
     entries_.assign(balls, Entry{});
     last_ = buckets - 1;
     present_ = 0;
@@ -65,11 +66,12 @@ class BucketQueue {
   /// The ball with the earliest event, where that is not after `until`; else kNoSlot.
   /// REQUIRES: what is added from now on is not before the event.
   [[nodiscard]] Slot first(FixedTime until) {
-    while (heads_[present_] == kNoSlot) {
-      if (present_ == last_) return kNoSlot;
-      ++present_;
-    }
     Slot best = heads_[present_];
+    while (best == kNoSlot) best = heads_[++present_];
+    if (best == kEnd) {
+      present_ = last_;
+      return kNoSlot;
+    }
     for (Slot k = entries_[best].next; k != kNoSlot; k = entries_[k].next) {
       if (entries_[k].time < entries_[best].time) best = k;
     }
@@ -95,6 +97,8 @@ class BucketQueue {
     return static_cast<std::uint32_t>(
         std::min(static_cast<double>(time) * per_tick_, static_cast<double>(last_)));
   }
+
+  static constexpr Slot kEnd = kNoSlot - 1;  ///< behind the last bucket
 
   struct Entry {
     FixedTime time = 0;

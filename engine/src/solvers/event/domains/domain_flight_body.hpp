@@ -29,17 +29,22 @@ template <class P>
   }
   if constexpr (!P::Law::kStretches) {
     const double since = seconds(now);
-    const Vec<double>& g = motion_.law().pull();
-    path = {disk.x - shift_x - since * (disk.vx - g.x * (since / 2)),
-            disk.y - shift_y - since * (disk.vy - g.y * (since / 2)), disk.vx - g.x * since,
-            disk.vy - g.y * since};
+    if (!bends_) {
+      path = {disk.x - shift_x - since * disk.vx, disk.y - shift_y - since * disk.vy, disk.vx,
+              disk.vy};
+    } else {
+      const Vec<double>& g = motion_.law().pull();
+      path = {disk.x - shift_x - since * (disk.vx - g.x * (since / 2)),
+              disk.y - shift_y - since * (disk.vy - g.y * (since / 2)), disk.vx - g.x * since,
+              disk.vy - g.y * since};
+    }
   } else {
     const Vec<double> at = motion_.place(disk, window_.from);
     const Vec<double> v = motion_.velocity(disk, window_.from);
     path = {at.x - shift_x, at.y - shift_y, v.x, v.y};
   }
   side.leaves = exit(i, now);
-  side.far = !(std::abs(disk.vx) < slow_[0] && std::abs(disk.vy) < slow_[1]);
+  side.set(kFar, !(std::abs(disk.vx) < slow_[0] && std::abs(disk.vy) < slow_[1]));
 }
 
 template <class P>
@@ -158,7 +163,7 @@ template <class P>
     return !motion_.box().solid(axis) ||
            (x - reach > window_.lowest[axis] && x + reach < window_.highest[axis]);
   };
-  side.at_wall = !clear(0, side.x) || !clear(1, side.y);
+  side.set(kAtWall, !clear(0, side.x) || !clear(1, side.y));
 }
 
 // Seconds until a place at `off` that moves straight at v is `radius` from 0.

@@ -24,7 +24,7 @@ DomainLoop<P>::DomainLoop(const Motion<P>& motion, double normal_radius)
       walls_(motion.box().solid(0) || motion.box().solid(1)),
       contacts_last_(motion.contacts_last()),
       books_flights_(motion.loses_in_flight() && !motion.rules().only_drag_takes()),
-      approach_({0, 0}, 1, nullptr, 0) {
+      approach_({0, 0}, 1, nullptr, 0, 1) {
   smallest_radius_ = never<double>();
   for (const auto& species : motion.rules().all_species) {
     smallest_radius_ = std::min(smallest_radius_, species.radius);
@@ -133,7 +133,8 @@ bool DomainLoop<P>::start() {
   slack_ = kSlackOfRadius * smallest_radius_ +
            kSlackOfBox * (std::abs(window_.middle[0]) + window_.loaded[0] +
                           std::abs(window_.middle[1]) + window_.loaded[1]);
-  approach_ = Approach(wrapped, smallest_radius_, mixed_ ? radii_.data() : nullptr, slack_);
+  approach_ = Approach(wrapped, smallest_radius_, mixed_ ? radii_.data() : nullptr, slack_,
+                       window_.skin > 0 && end_ > 0 ? window_.skin / end_ : 1);
   list_all();
   for (std::size_t k = 0; falls_on_fixed_ && k < flights_.size(); ++k) {
     note_fixed(static_cast<Slot>(k));
@@ -206,7 +207,7 @@ void DomainLoop<P>::sort_into_slots() {
     note_ends(static_cast<Slot>(k));
     side.leaves = side.fixed ? never<double>() : exit(static_cast<Slot>(k), window_.from);
     note_walls(static_cast<Slot>(k));
-    side.far = flies_far(flight, window_.until);
+    side.set(kFar, flies_far(flight, window_.until));
   }
 }
 

@@ -42,8 +42,9 @@ constexpr Slot slot_mark(Index mark) {
 inline constexpr Slot kFirstSlotMark = slot_mark(kFirstMark);
 
 /// In single precision, and no greater.
+/// REQUIRES: time >= 0.
 inline float not_later(double time) {
-  return static_cast<float>(time * (time > 0 ? 1 - 0x1p-23 : 1 + 0x1p-23));
+  return static_cast<float>(time * (1 - 0x1p-23));
 }
 
 /// A domain: an event loop over some thousand balls and one window, all of it in the processor's
@@ -132,6 +133,9 @@ class DomainLoop {
 
  private:
   static constexpr float kToTheEnd = std::numeric_limits<float>::infinity();
+  static constexpr std::uint8_t kAtWall = 1;   ///< a wall may be within its circle
+  static constexpr std::uint8_t kFar = 2;      ///< its flight may have to start again in the window
+  static constexpr std::uint8_t kAtFixed = 4;  ///< it falls, and a fixed ball is in its list
   /// What a ball is about to do.  Times are seconds from the start of the window.
   struct alignas(32) Side {
     float x = 0;  ///< middle of its safe circle
@@ -144,12 +148,14 @@ class DomainLoop {
     Slot partner = slot_mark(kUnknown);  ///< of its event
     bool own : 1 = false;
     bool fixed : 1 = false;
-    bool at_wall : 1 = false;   ///< a wall may be within its circle
-    bool far : 1 = false;       ///< its flight may be long enough to start again in the window
-    bool at_fixed : 1 = false;  ///< it falls, and a fixed ball is in its list
-    bool bounded : 1 = false;   ///< its event is at a lower bound of its time
-    bool by_end : 1 = true;     ///< others in its list may be in another image
-    [[nodiscard]] bool exactly() const { return (at_wall | far | at_fixed) != 0; }
+    bool bounded : 1 = false;  ///< its event is at a lower bound of its time
+    bool by_end : 1 = true;    ///< others in its list may be in another image
+    std::uint8_t reasons = 0;  ///< of kAtWall, kFar, kAtFixed: its event is never at a bound
+    [[nodiscard]] bool exactly() const { return reasons != 0; }
+    [[nodiscard]] bool has(std::uint8_t reason) const { return (reasons & reason) != 0; }
+    void set(std::uint8_t reason, bool holds) {
+      reasons = static_cast<std::uint8_t>((reasons & ~reason) | (holds ? reason : 0));
+    }
   };
   static_assert(sizeof(Side) == 32);
   /// What is compared with other domains.

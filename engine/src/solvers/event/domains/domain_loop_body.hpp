@@ -7,16 +7,19 @@
 namespace carom::event {
 
 template <class P>
-bool DomainLoop<P>::advance_to(FixedTime until) {
+[[gnu::flatten]] bool DomainLoop<P>::advance_to(FixedTime until) {
   // So many are none of a window; EventLoop tells whether they end.
   const std::uint64_t most = tally_.events + 1000000 + 1000 * flights_.size();
+  std::uint64_t next_timed = tally_.events + kEventsOfSample - tally_.events % kEventsOfSample;
   for (Slot i = queue_.first(until - window_.from); i != kNoSlot && !unusual_;
        i = queue_.first(until - window_.from)) {
-    if (++tally_.events > most) unusual_ = true;
+    ++tally_.events;
     FixedTime now = window_.from + queue_.time(i);
     queue_.remove(i);
     if (sides_[i].bounded && !make_exact(i, now, until)) continue;
-    if (tally_.events % kEventsOfSample == 0) {
+    if (tally_.events >= next_timed) {
+      next_timed += kEventsOfSample;
+      if (tally_.events > most) unusual_ = true;
       time_event(i, now);
     } else {
       handle(i, now);
@@ -119,7 +122,7 @@ template <class P>
 // An impact counts where its balls are owned; the energy it takes, where the one of the lower
 // number is.
 template <class P>
-[[gnu::flatten]] void DomainLoop<P>::meet(Slot i, Slot j, FixedTime now) {
+[[gnu::flatten, gnu::noinline]] void DomainLoop<P>::meet(Slot i, Slot j, FixedTime now) {
   const bool moves = !sides_[j].fixed;
   if (queue_.holds(j)) {
     if (window_.from + queue_.time(j) == now && sides_[j].partner != i &&

@@ -68,7 +68,7 @@ template <class P>
 template <class P>
 [[gnu::noinline]] void DomainLoop<P>::predict(Slot i, FixedTime now) {
   const double since = seconds(now);
-  if (since > sides_[i].limit) return;
+  if (tracked_ && since > sides_[i].limit) return;
   ++tally_.predictions;
   const Approach::Earliest found = earliest(i, straightened(since));
   keep_bound(i, found.first, found.second, found.ball, now);
@@ -78,7 +78,7 @@ template <class P>
 template <class P>
 [[gnu::noinline]] void DomainLoop<P>::predict_both(Slot i, Slot j, FixedTime now) {
   const double since = seconds(now);
-  if (since > sides_[i].limit || since > sides_[j].limit) {
+  if (tracked_ && (since > sides_[i].limit || since > sides_[j].limit)) {
     predict(i, now);
     predict(j, now);
     return;
@@ -144,7 +144,7 @@ template <class P>
 [[gnu::always_inline]] inline void DomainLoop<P>::queue(Slot i, FixedTime time) {
   if (time > window_.until) return;
   const Side& side = sides_[i];
-  if (side.limit < kToTheEnd) {
+  if (tracked_ && side.limit < kToTheEnd) {
     float last = side.limit;
     if (side.partner < kFirstSlotMark) last = std::max(last, sides_[side.partner].limit);
     if (seconds(time) > last) return;
@@ -155,7 +155,8 @@ template <class P>
 // The bound of the ball's event has come up.  Gives whether the event is due, and when; where it is
 // not, it is queued again at its exact time.
 template <class P>
-[[gnu::flatten]] bool DomainLoop<P>::make_exact(Slot i, FixedTime& now, FixedTime until) {
+[[gnu::always_inline]] inline bool DomainLoop<P>::make_exact(Slot i, FixedTime& now,
+                                                             FixedTime until) {
   Side& side = sides_[i];
   const Slot j = side.partner;
   if (sides_[j].changes != side.partner_changes) return true;
@@ -208,15 +209,16 @@ template <class P>
       }
     }
   }
-  if (side.at_fixed) meet_fixed(i, now, soonest, best);
+  if (side.has(kAtFixed)) meet_fixed(i, now, soonest, best);
   settle(i, best, now);
 }
 
 template <class P>
 void DomainLoop<P>::note_fixed(Slot i) {
   const Slot* const others = lists_.items(i);
-  sides_[i].at_fixed = !sides_[i].fixed && std::any_of(others, others + lists_.size(i),
-                                                       [this](Slot k) { return sides_[k].fixed; });
+  const bool any =
+      std::any_of(others, others + lists_.size(i), [this](Slot k) { return sides_[k].fixed; });
+  sides_[i].set(kAtFixed, any && !sides_[i].fixed);
 }
 
 // What a ball that falls meets of the fixed ones near to it, where that comes first.
@@ -264,7 +266,7 @@ void DomainLoop<P>::settle(Slot i, Meeting<P> best, FixedTime now) {
     if (leaves < best.time) best = {leaves, kUnknown};
   }
   const FixedTime soon = std::min(best.time, window_.until);
-  if (side.at_wall || flies_far(flight, soon)) {
+  if (side.has(kAtWall) || flies_far(flight, soon)) {
     const Meeting<P> alone = motion_.alone(flight, soon);
     if (alone.time <= soon) {
       if (alone.time == best.time && best.partner != kUnknown) unusual_ = true;
