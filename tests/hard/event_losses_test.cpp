@@ -145,5 +145,28 @@ TEST(EventContact, a_velocity_of_zero_has_no_sign) {
   }
 }
 
+// Two rows of plastic balls drift against an elastic wall, each ball a little later than the one
+// before it: without a force they collapse there, and all that moves across the wall is lost.
+TEST(EventRest, plastic_balls_against_an_elastic_wall_collapse_in_bounded_impacts) {
+  Scene scene;
+  scene.box.width = 40;
+  scene.box.height = 10;
+  scene.effects.walls = Walls{1};
+  scene.effects.collisions = Collisions{0};
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> gap(1e-9, 1e-5);
+  std::vector<Ball> balls;
+  for (int row = 0; row < 6; ++row) {
+    for (int k = 0; k < 6; ++k) {
+      const double x = 0.5 + (k + row % 2 / 2.0) * (1 + 1e-5) + gap(random);
+      balls.push_back(contact_ball(x, 2 + row * (std::sqrt(0.75) + 1e-5) + gap(random), -1));
+    }
+  }
+  Course run(scene, balls);
+  const std::vector<Ball> end = run.at(5);
+  EXPECT_LT(run.impacts(), 50000U);
+  EXPECT_LT(deepest_overlap(end), 1e-9);
+}
+
 }  // namespace
 }  // namespace carom::event_losses_test

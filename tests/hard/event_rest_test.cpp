@@ -126,6 +126,20 @@ TEST(EventRest, a_ball_dropped_on_the_top_of_a_fixed_one_rests_there) {
   EXPECT_EQ(run.impacts(), impacts);
 }
 
+// Its place is told anew whenever the clock's numbers begin anew, at whole powers of two of
+// seconds.
+TEST(EventRest, a_ball_on_the_top_of_a_fixed_one_stays_there_however_long_it_is_hit) {
+  Scene scene = contact_box(10, 10, 0.5);
+  scene.effects.collisions = Collisions{1};
+  Course run(scene, {fixed_ball(5, 3), contact_ball(5, 4), contact_ball(5, 6)});
+  const double period = 2 * std::sqrt(2 / 9.81);
+  for (int bounce = 1; bounce <= 80; ++bounce) {
+    const std::vector<Ball> end = run.at(bounce * period);
+    ASSERT_EQ(end[1].position.y(), 4) << bounce;
+    ASSERT_NEAR(end[2].position.y(), 6, 1e-11) << bounce;
+  }
+}
+
 TEST(EventRest, a_ball_beside_the_top_of_a_fixed_one_slides_off) {
   Course run(contact_box(10, 10, 0.5), {fixed_ball(5, 3), contact_ball(5 + 1e-6, 5)});
   EXPECT_LT(run.at(30)[1].position.y(), 1);

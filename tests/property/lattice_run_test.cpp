@@ -62,5 +62,40 @@ TEST(LatticeRun, KeepsWhatWasOnceBroken) {
   for (const std::uint64_t seed : {10, 179}) try_seed(seed, false);
 }
 
+// Masses of 1 : 2e5, and friction: the light ball slides by at a hundred metres a second, which is
+// no contact that lasts, though its normal would turn as fast as it comes; it went by 0.1 of a
+// radius into the heavy one.
+TEST(LatticeRun, WhatSlidesByFastIsNoContactThatLasts) {
+  expect_kept(parse_scene(R"({"box": {"width": 2.5, "height": 2}, "effects": {
+    "walls": {"restitution": 1}, "collisions": {"restitution": 1}, "gravity": [0, -9.81],
+    "friction": {"balls": 0.8, "walls": 0}}, "balls": [
+    {"position": [0.25, 0.25], "radius": 0.25, "mass": 9.547881435315045},
+    {"position": [0.75, 0.25], "radius": 0.25, "mass": 0.0010974755270759704},
+    {"position": [1.25, 0.25], "radius": 0.25, "mass": 0.05188967199986071},
+    {"position": [0.5, 0.6830127018926524], "radius": 0.25, "mass": 0.08771846068581375},
+    {"position": [1.0, 0.6830127018926524], "radius": 0.25, "mass": 0.05521615903018705},
+    {"position": [0.25, 1.1160254037853048], "radius": 0.25, "mass": 0.0032384326943746735},
+    {"position": [0.75, 1.1160254037853048], "radius": 0.25, "mass": 186.03995924561406},
+    {"position": [1.75, 1.1160254037853048], "radius": 0.25, "mass": 0.9366757499822046}],
+    "duration": 1, "script": [{"at": 0.5, "command": "set", "effects": {"gravity": [0, -20]}}]
+    })",
+                          "lattice"));
+}
+
+// Past the ball flies along a wall, through a gap to a fixed one that is exactly zero, with a speed
+// across that is rounding: the wall took a tenth of it at each of its impacts, to the smallest
+// number.
+TEST(LatticeRun, ARoundingInAGapOfZeroEnds) {
+  expect_kept(parse_scene(R"({"box": {"width": 3, "height": 5}, "effects": {
+    "walls": {"restitution": 0.9}, "collisions": {"restitution": 1}, "gravity": [-9.81, 0],
+    "friction": {"balls": 0.8, "walls": 0.8}}, "balls": [
+    {"position": [0.5, 4.5], "radius": 0.5, "fixed": true},
+    {"position": [1.5, 3.5], "radius": 0.5, "fixed": true},
+    {"position": [1.5000030488417049, 4.5], "radius": 0.5, "mass": 0.46414694613181123,
+     "velocity": [-0.7777393222222259, 0], "spin": -5.82832289954263e-14}],
+    "duration": 0.01})",
+                          "lattice"));
+}
+
 }  // namespace
 }  // namespace carom::lattice_run_test

@@ -88,6 +88,25 @@ TEST(EventJointImpact, ABallInTheGapOfTwoDrivesThemApartAsTheBookSays) {
   EXPECT_EQ(group.bodies[2].velocity.y, -group.bodies[1].velocity.y);
 }
 
+// One after the other the wall takes 2 m v of the first ball, which gives it to the others again,
+// so that all of them end at rest, after infinitely many impacts: (1 - m / M) / (1 + m / M) of the
+// speed is left from one to the next.
+TEST(EventJointImpact, WhatIsPressedBetweenAnElasticWallAndPlasticBallsEndsAsContact) {
+  for (const int many : {1, 5, 20}) {
+    for (const double heavy : {1.0, 1e3, 1e6}) {
+      Group group;
+      for (int k = 0; k <= many; ++k) {
+        group.bodies.push_back({{-1, 0}, k == 0 ? 1 : 1 / heavy});
+        group.contacts.push_back({k, k == 0 ? kWall : k - 1, {-1, 0}, k == 0 ? 1.0 : 0.0});
+      }
+      const auto report = group.resolve();
+      EXPECT_LE(report.rounds, 100) << many << ' ' << heavy;
+      for (const auto& body : group.bodies) EXPECT_NEAR(body.velocity.x, 0, 1e-13) << heavy;
+      EXPECT_NEAR(report.lost, (1 + many * heavy) / 2, 1e-12 * many * heavy);
+    }
+  }
+}
+
 TEST(EventJointImpact, BetweenAWallAndAHeavyBallCountsThePiBilliard) {
   const int expected[] = {3, 31, 314, 3141};
   for (int k = 0; k < 4; ++k) {

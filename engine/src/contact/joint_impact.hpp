@@ -34,6 +34,8 @@ namespace carom::event {
 /// e = 1 keeps the energy to rounding, below 1 it falls. A group that can come apart does so
 /// after finitely many rounds (Vouga et al. 2017); with e < 1 only in the limit, so after 8 (8 +
 /// contacts) / (1 - e) rounds, or kMostWork, the rest is one inelastic impact of all contacts.
+/// Where restitutions differ, the round that loses nothing may come again and again, so what has
+/// lost energy often enough stays shut (stays_shut()), and its set no longer bounces.
 /// Approaches within 64 u of the speeds the two had in this instant are rounding: they are nudged
 /// apart by the least impulses, until no contact approaches in the bits pair_time() looks at.
 /// Wedged balls cannot do that: what still approaches is locked to one velocity along that axis
@@ -66,6 +68,7 @@ class JointImpact {
         graph_(bodies, contacts),
         jammed_(contacts.size(), 0),
         turned_(contacts.size(), 0),
+        bounces_(contacts.size(), 0),
         gains_(contacts.size(), S(0)) {}
   JointImpact(const JointImpact&) = delete;
   JointImpact& operator=(const JointImpact&) = delete;
@@ -136,6 +139,7 @@ class JointImpact {
     Chosen chosen = approaching;
     for (std::size_t k = 0; k < graph_.size(); ++k) {
       if (jammed_[k] != 0) chosen[k] = jammed_[k];
+      if (stays_shut(graph_, k, bounces_[k])) chosen[k] = 1;
     }
     const std::vector<std::size_t> set = graph_.coupled_sets(chosen);
     std::vector<int> members(graph_.size(), 0);
@@ -162,12 +166,17 @@ class JointImpact {
   }
 
   void note_impact(std::size_t k) {
+    ++bounces_[k];
     ++(graph_.contact(k).b == kWall ? report_.walls : report_.impacts);
+  }
+
+  [[nodiscard]] S restitution_of(std::size_t k) const {
+    return stays_shut(graph_, k, bounces_[k]) ? S(0) : graph_.contact(k).restitution;
   }
 
   void reflect_alone(std::size_t k, bool lossless) {
     const Contact<S>& c = graph_.contact(k);
-    const S e = lossless ? S(1) : c.restitution;
+    const S e = lossless ? S(1) : restitution_of(k);
     if (!lossless) {
       note_impact(k);
       const S approach = approach_speed(c.r, motion_.velocity(c.b) - motion_.velocity(c.a));
@@ -199,7 +208,7 @@ class JointImpact {
     for (std::size_t k = 0; k < graph_.size(); ++k) {
       if (!(impulses[k] > 0) || lossless || together[k] == kHolds) continue;
       note_impact(k);
-      const S& e = graph_.contact(k).restitution;
+      const S e = restitution_of(k);
       if (e < restitution) restitution = e;
     }
     apply(impulses, 1 + restitution, !lossless);
@@ -289,8 +298,9 @@ class JointImpact {
   ContactGraph<S> graph_;
   GroupMotion<S> motion_{bodies_, graph_};
   RoundingApproaches<S> rounding_{bodies_, graph_, motion_};
-  Chosen jammed_;  ///< known after kPatience rounds
-  Chosen turned_;  ///< those that have been reflected with what they hold
+  Chosen jammed_;             ///< known after kPatience rounds
+  Chosen turned_;             ///< those that have been reflected with what they hold
+  std::vector<int> bounces_;  ///< by contact
   std::vector<S> gains_;
   JointReport report_;
 };

@@ -16,6 +16,11 @@ inline constexpr double kMostWork = 1 << 18;
 inline constexpr double kFewRounds = 128;
 /// No wedge is waited for that may take more rounds than this.
 inline constexpr int kNarrow = 1 << 12;
+/// After so many bounces, divided by 1 - e, a contact of restitution e stays shut: if it is pressed
+/// again it pushes together with what else of its balls reflects, and nothing of that bounces.
+/// Between what bounces otherwise, as a wall of e = 1 and balls of e = 0, it would bounce for ever
+/// in no time.  What comes apart, as a line of balls above its critical restitution, has done so.
+inline constexpr double kBounces = 8;
 /// After how many rounds it is asked what jams.
 inline constexpr int kPatience = 8;
 /// What jams and opens by less than this part of the fastest speed is held.
@@ -41,6 +46,13 @@ template <class S>
   const double most = std::max(kMostWork / (contacts * contacts), kFewRounds);
   const double lossy = 8 * (8 + contacts);
   return static_cast<int>(lossy < most * loss ? lossy / loss : most);
+}
+
+/// Whether a contact that loses energy has bounced so often in this instant that it stays shut.
+template <class S>
+[[nodiscard]] bool stays_shut(const ContactGraph<S>& graph, std::size_t k, int bounces) {
+  const auto loss = static_cast<double>(S(1 - graph.contact(k).restitution));
+  return graph.mobility(k) > 0 && bounces * loss >= kBounces;
 }
 
 /// How many rounds are waited for, of a group without losses that may take `most`, until a wedge in

@@ -30,8 +30,11 @@ namespace carom::event {
 //
 // Rule 2, collapse without a force (McNamara and Young, Phys. Fluids A 4 (1992) 496).  Two that
 // would part by less than 2^-40 of their distance while something crosses the box take one normal
-// velocity: they stay together, and are counted.  Balls that have been hit within 2^15 ticks before
-// are resolved with all that touch them as one joint_impact().
+// velocity: they stay together, and are counted.  Balls that have been hit within 2^15 ticks
+// before, or have not moved by 2^-16 of their distance against each other since both were hit, are
+// resolved with all that touch them as one joint_impact().  In that a contact that has bounced
+// often enough stays shut (reflection_limits.hpp), so that what is pressed between elastic walls
+// and lossy balls ends as contact.
 //
 // Rule 3, islands.  A contact that lasts and slides (a ball on the side of another, a pile that
 // creeps) has no closed form.  Under gravity and with losses the balls of such contacts are a
@@ -61,9 +64,9 @@ namespace carom::event {
 // that this drives together.  A ball that nothing in the island carries leaves it. An island gains
 // no energy, but what the turning normals of its contacts took before.  Where nothing loses energy
 // along a normal, a step holds only what approaches no faster than 2 h (g + u^2 / s), u the slip,
-// as gravity and the turning normal of a contact that lasts make it; what comes faster, or to a
-// wall, is an impact at its own time.  What presses in a step that would hold what moves, as one
-// that closes a wedge does, is a joint impact.
+// as gravity and the turning normal of a contact that lasts make it, u h / s being 2^-8 at most;
+// what comes faster, or to a wall, is an impact at its own time.  What presses in a step that would
+// hold what moves, as one that closes a wedge does, is a joint impact.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of
@@ -104,9 +107,11 @@ bool barely_bounces(const S& v, const S& a, const S& s, double part = kShortly) 
 inline constexpr int kRounding = 64;
 
 /// Rule 2: two that part by less than 2^this of their contact's distance while something crosses
-/// the box stay together; ticks within which both have been hit before, where balls collapse.
+/// the box stay together; ticks within which both have been hit before, where balls collapse, or
+/// how far they have then moved against each other, as a part of that distance.
 inline constexpr int kTogether = -40;
 inline constexpr double kCollapse = 0x1p15;
+inline constexpr double kCollapsed = 0x1p-16;
 
 /// Balls that touch are so near, as a part of their contact's distance: nearer than what
 /// neighbours are listed for.
@@ -129,6 +134,12 @@ inline constexpr double kLoaded = 0x1p-10;
 inline constexpr double kSolved = 0x1p-12;
 /// Rule 3, in the same parts: what slides along something that never moves opens no faster.
 inline constexpr double kOpens = 0x1p-4;
+/// Rule 3: a contact of balls that lose nothing along a normal lasts while it turns by no more than
+/// this in a step: what comes faster than that explains is an impact, or it would overlap.
+inline constexpr double kTurnOfStep = 0x1p-8;
+/// Rule 3: what an impact leaves unsolved closes contacts by no more than this part of the largest
+/// radius in a step, however fast something light has hit.
+inline constexpr double kLeftOpen = 0x1p-16;
 /// Rule 4: what forces hold is moved no faster by a step; of so many balls at most that is asked.
 inline constexpr double kHeld = 0x1p-22;
 inline constexpr std::size_t kFewHeld = 16;

@@ -58,7 +58,7 @@ void EventLoop<P>::meet_alone(Index i, Index partner, At now) {
     const Index was_left = disks_[i].start == now ? left(i) : kUnknown;
     book_.note(motion_.bounce(disks_[i], spin(i), partner, now));
     ++counts_.ball_wall;
-    if (jam_watch_.level().jammed() && motion_.elastic()) {
+    if (jam_watch_.level().jammed()) {
       const double lost = motion_.end_bounce(disks_[i], partner);
       if (lost > 0) ++counts_.jammed;
       book_.note(lost);
@@ -107,7 +107,8 @@ void EventLoop<P>::meet(Index i, At now) {
       predict_changed(now);
       return;
     }
-    if (!left_.empty()) left_[i] = kUnknown;
+    // What lies on a fixed ball has not left it.
+    if (!left_.empty() && motion_.support(disks_[i]) != kLying) left_[i] = kUnknown;
     motion_.carry(disks_[i], now, spin(i));
     predict_again(i, now);
     return;

@@ -75,7 +75,9 @@ void EventLoop<P>::resolve_group(SimultaneousImpact& group, const std::vector<In
     changed.push_back(m);
   }
   joint_impacts_.begin_flights(group, new_flight, now);
-  for (const Index m : changed) supports_.update(m);
+  for (const Index m : changed) {
+    if (disks_[m].start == now) supports_.update(m);
+  }
   lost += book_.keep();
   notes_.tell_loss(first_line, lost);
   if (motion_.clusters()) counts_.resting_contacts += joint_impacts_.staying_together(group, now);

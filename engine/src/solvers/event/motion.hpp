@@ -82,9 +82,9 @@ class Motion {
   /// `spin`: of the ball, counter-clockwise; null where balls have no friction.
   /// Gives the energy that the impact takes.
   double bounce(Disk& disk, S* spin, Index wall, At now) const;
-  /// A ball that has bounced off a wall which gravity presses it to, so slowly that it is back
-  /// shortly, stays there, and goes along the wall with that; gives the energy of one that does not
-  /// go along it.
+  /// A jammed ball that has bounced off a wall stays there.  Where nothing is lost: if gravity
+  /// presses it to the wall, so that it is back shortly; it goes along the wall with that.  Else:
+  /// if its speed across is rounding of that along it.  Gives the energy that this takes.
   double end_bounce(Disk& disk, Index wall) const;
   struct Strike {
     double overlap;  ///< how deep the two overlapped, as a part of the smaller radius

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "contact/dissipation.hpp"
 #include "contact/pair_friction.hpp"
@@ -42,9 +43,12 @@ double Motion<P>::end_bounce(Disk& disk, Index wall) const {
   const int side = (wall - kWalls) % 2 == 1 ? -1 : 1;
   S& v = axis == 0 ? disk.vx : disk.vy;
   const S pressing = -side * law_.pull(axis);
-  if (!barely_bounces(S(side * v), pressing, S(2 * species(disk).radius))) return 0;
   S& along = axis == 0 ? disk.vy : disk.vx;
-  if (along != 0) {
+  const S noise = kRounding * std::numeric_limits<S>::epsilon();
+  const bool ends = elastic_ ? barely_bounces(S(side * v), pressing, S(2 * species(disk).radius))
+                             : !(absolute(v) > noise * absolute(along));
+  if (!ends) return 0;
+  if (elastic_ && along != 0) {
     const S speed = root(S(along * along + v * v));
     along = along > 0 ? speed : S(-speed);
     v = 0;

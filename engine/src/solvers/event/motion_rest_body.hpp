@@ -119,9 +119,12 @@ bool Motion<P>::stays_together(const Vec<S>& r, const Vec<S>& v, const S& reach)
 
 template <class P>
 bool Motion<P>::collapses(const Disk& a, const Disk& b, At now) const {
-  const S longest = rules_.scale.resolution() * kCollapse;
-  return rules_.restitution < 1 && rules_.scale.seconds(now - a.start) <= longest &&
-         rules_.scale.seconds(now - b.start) <= longest;
+  if (!(rules_.restitution < 1)) return false;
+  const S since = rules_.scale.seconds(now - std::min(a.start, b.start));
+  if (since <= rules_.scale.resolution() * kCollapse) return true;
+  const Vec<S> v = velocity(b, now) - velocity(a, now);
+  const S most = S(kCollapsed) * (species(a).radius + species(b).radius);
+  return !(dot(v, v) * (since * since) > most * most);
 }
 
 template <class P>
@@ -279,7 +282,8 @@ double Motion<P>::given_ahead(const Disk& disk, At now, At next) const {
 
 template <class P>
 auto Motion<P>::lasting_speed(const S& slip, const S& reach) const -> S {
-  return 2 * (speed_of_step_ + slip * slip * seconds_of_step() / reach);
+  const S turn = std::min(S(absolute(slip) * seconds_of_step() / reach), S(kTurnOfStep));
+  return 2 * (speed_of_step_ + turn * turn * reach / seconds_of_step());
 }
 
 }  // namespace carom::event

@@ -96,7 +96,7 @@ bool TouchSearch<P>::touch(Index i, Index j, At now, const Vec<S>& r) const {
   const S reach = motion_.species(a).radius + motion_.species(b).radius;
   if (!(squared_gap(r, reach) > 0)) return true;
   if (jam_.jammed() && near(r, reach, S(jam_.gap()))) return true;
-  if (motion_.clusters() && near(r, reach, S(kTouching / 32)) && motion_.collapses(a, b, now)) {
+  if (motion_.clusters() && near(r, reach, S(kTouching)) && motion_.collapses(a, b, now)) {
     return true;
   }
   return prediction_.pair_event(i, j, now) == now;

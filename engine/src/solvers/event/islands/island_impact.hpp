@@ -72,6 +72,7 @@ class IslandImpact {
   [[nodiscard]] bool reflects(const Island& island, const IslandHits& hits) const;
   /// Whether all contacts part as they are asked to, and nothing closes: what has no room does not.
   [[nodiscard]] bool has_room(const Island& island, const Try& of) const;
+  [[nodiscard]] double solved_to(double fastest) const;
   enum class Bounce { done, has_no_room, makes_energy };
   /// The impact, of which a part bounces.
   Bounce bounce(Island& island, const IslandHits& hits, const Try& of, double part,

@@ -212,6 +212,15 @@ bool IslandImpact<P>::has_room(const Island& island, const Try& of) const {
   return true;
 }
 
+// How much of a speed that is stopped may remain.
+template <class P>
+double IslandImpact<P>::solved_to(double fastest) const {
+  const double step = kSolved * static_cast<double>(motion_.speed_of_step());
+  const double open =
+      kLeftOpen * motion_.largest_radius() / static_cast<double>(motion_.seconds_of_step());
+  return std::min(kSolved * fastest, std::max(step, open));
+}
+
 // As `hold_on`, with what bounces parting as fast as its contacts ask for, times `part`; no energy
 // is made where that can be mended by slowing down what is stepped.
 template <class P>
@@ -268,7 +277,7 @@ IslandChange IslandImpact<P>::resolve(Island& island, const SteppedFlight& next,
   const double goal = elastic ? std::max(kSolved * static_cast<double>(motion_.speed_of_step()),
                                          kSolved * kSolved * hits.fastest) *
                                     kSolved
-                              : kSolved * hits.fastest;
+                              : solved_to(hits.fastest);
   const double opens = steps ? impulses_.opens() : 0;
   if (elastic) take_back(island);
   double held = 0;
