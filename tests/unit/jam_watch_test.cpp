@@ -137,6 +137,30 @@ TEST(JamWatch, EndsAJamWithTheSpan) {
   EXPECT_FALSE(watch.level().jammed());
 }
 
+TEST(JamWatch, GoesOnFromASaveAsIfThereWereNone) {
+  Watch watch;
+  watch.reset(0, 3, true);
+  ASSERT_NE(too_many(watch, 10, 1, 5000), 0U);
+  ASSERT_NE(too_many(watch, 400, 1, 5000), 0U);
+  ASSERT_EQ(too_many(watch, 800, 1, 300), 0U);
+  SavedJam jam;
+  watch.save(jam);
+  Watch onwards;
+  onwards.reset(1100, 3, true);
+  onwards.restore(jam);
+  EXPECT_EQ(onwards.level().gap(), watch.level().gap());
+  EXPECT_EQ(too_many(onwards, 1101, 1, 300), 5U);
+  EXPECT_EQ(too_many(watch, 1101, 1, 300), 5U);
+  EXPECT_EQ(onwards.level().gap(), 4 * kGap);
+  // One that was counted from later on counts from the present at the latest.
+  jam.since = "5000";
+  onwards.reset(1100, 3, true);
+  onwards.restore(jam);
+  const FixedTime span = FixedTime{1} << (FixedTimeClock::kBits - kElasticSpan);
+  onwards.begin_instant(1101 + span);
+  EXPECT_EQ(too_many(onwards, 1102 + span, 1, 304), 0U);
+}
+
 TEST(JamWatch, CountsOnWhereTimeIsCountedFromLaterOn) {
   const FixedTime by = FixedTime{1} << 40;
   Watch watch;

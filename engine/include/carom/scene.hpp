@@ -74,6 +74,16 @@ struct SavedFlight {
   double left_out = 0;  ///< energy that a flight of an elastic contact island is counted without
 };
 
+/// What method `event` has counted to find balls that are jammed.
+struct SavedJam {
+  std::string since;          ///< when the present span of time began: ticks, as of a flight
+  std::uint64_t impacts = 0;  ///< in that span
+  unsigned found = 0;         ///< how often the present jam has been found; 0: there is none
+  unsigned found_before = 0;  ///< the same of the last one
+  unsigned lasts = 1;         ///< for how many spans a jam lasts
+  unsigned spans = 2;         ///< since one was found, or was over
+};
+
 /// Where a saved run stood; lets it go on bit for bit.
 struct Continuation {
   double time = 0;      ///< simulated seconds
@@ -86,6 +96,7 @@ struct Continuation {
   double step_origin = 0;            ///< simulated time of step number 0 of the present step length
   std::uint64_t steps = 0;           ///< whole steps taken since `step_origin`
   std::optional<double> tick;        ///< of the clock of `event`, seconds: a power of two
+  std::optional<SavedJam> jam;       ///< of method `event`, where elastic balls may touch for long
   bool rests = false;                ///< `event` looked for contacts that rest
   std::vector<SavedFlight> flights;  ///< of method `event`: of each ball, in order
 };

@@ -241,6 +241,25 @@ struct Table<SavedFlight> {
 };
 
 template <>
+struct Table<SavedJam> {
+  static constexpr std::string_view kName = "what was counted of jams";
+  static constexpr std::string_view kAbout =
+      "What method event has counted to find balls that are jammed.";
+  static constexpr std::tuple kKeys{
+      key<Form::decimal>("since", &SavedJam::since,
+                         "When the present span of time began, in ticks of the present epoch of "
+                         "the clock.")
+          .required("\"-1234\""),
+      key("impacts", &SavedJam::impacts, "In that span.").always(),
+      key("found", &SavedJam::found, "How often the present jam has been found; 0: there is none.")
+          .at_most(1000),
+      key("found_before", &SavedJam::found_before, "The same of the last one.").at_most(1000),
+      key("lasts", &SavedJam::lasts, "For how many spans a jam lasts.").at_most(64),
+      key("spans", &SavedJam::spans, "Since a jam was found, or was over; 64: or more.")
+          .at_most(64)};
+};
+
+template <>
 struct Table<Continuation> {
   static constexpr std::string_view kName = "a continuation";
   static constexpr std::string_view kAbout =
@@ -263,6 +282,7 @@ struct Table<Continuation> {
       key("steps", &Continuation::steps, "Whole steps since then.").always(),
       key("tick", &Continuation::tick, "Of the clock of method event, seconds: a power of two.")
           .limited(Limit::power_of_two),
+      key("jam", &Continuation::jam),
       key("rests", &Continuation::rests, "Method event looked for contacts that rest."),
       key<Form::streamed>("flights", &Continuation::flights,
                           "Of method event: of each ball, in order, where and how fast it left "

@@ -107,6 +107,7 @@ class EventLoop {
   [[nodiscard]] Index left(Index i) const { return left_.empty() ? kUnknown : left_[i]; }
   /// What a flight is counted without, where nothing takes energy; see SteppedEnergy.
   [[nodiscard]] double left_out(Index i) const { return left_out_.empty() ? 0 : left_out_[i]; }
+  [[nodiscard]] JamWatch<typename P::Clock>& jam_watch() { return jam_watch_; }
   [[nodiscard]] const Motion<P>& motion() const { return motion_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
   /// What has happened since the last time this was asked.

@@ -25,6 +25,20 @@ void JamLevel::end_span() {
   if (times_ > 0 && spans_ >= lasts_) times_ = spans_ = 0;
 }
 
+void JamLevel::save(SavedJam& jam) const {
+  jam.found = static_cast<unsigned>(times_);
+  jam.found_before = static_cast<unsigned>(last_times_);
+  jam.lasts = static_cast<unsigned>(lasts_);
+  jam.spans = static_cast<unsigned>(std::min(spans_, kLongestJam));
+}
+
+void JamLevel::restore(const SavedJam& jam) {
+  times_ = static_cast<int>(jam.found);
+  last_times_ = static_cast<int>(jam.found_before);
+  lasts_ = static_cast<int>(jam.lasts);
+  spans_ = static_cast<int>(jam.spans);
+}
+
 double JamLevel::gap() const {
   return kTouching * std::ldexp(1.0, std::min(times_ - 1, kMostDoublings));
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "carom/scene.hpp"
+
 namespace carom::event {
 
 /// How often balls are taken as jammed before time goes on.
@@ -29,6 +31,10 @@ class JamLevel {
   /// No gap has helped: what is taken as jammed loses what its contacts have of speed, or goes
   /// along the ways that are open with that, where nothing takes energy.
   [[nodiscard]] bool gives_up() const { return times_ > kMostDoublings; }
+
+  /// For a run that is saved, and one that goes on from it.
+  void save(SavedJam& jam) const;
+  void restore(const SavedJam& jam);
 
  private:
   int times_ = 0;       ///< that the present jam has been found; 0: there is none

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 #include "solvers/event/jam_level.hpp"
+#include "solvers/event/saved_flight.hpp"
 
 namespace carom::event {
 
@@ -59,6 +61,19 @@ class JamWatch {
   void rebase(At by) { from_ = from_ >= by ? Time(from_ - by) : Time(Time(-1) - kShortTicks); }
 
   [[nodiscard]] const JamLevel& level() const { return level_; }
+
+  /// For a run that is saved, and one that goes on from it.
+  void save(SavedJam& jam) const {
+    jam.since = text_of(from_);
+    jam.impacts = in_span_;
+    level_.save(jam);
+  }
+  /// After `reset`, at the same time.
+  void restore(const SavedJam& jam) {
+    from_ = std::min(number_of<Time>(jam.since), from_);
+    in_span_ = jam.impacts;
+    level_.restore(jam);
+  }
 
  private:
   JamLevel level_;

@@ -42,6 +42,9 @@ LoopCore<P>::LoopCore(CoreStart start)
     take_flights(start.from, start.source);
   }
   this->start();
+  if (loop_ && start.from.jam && !start.from.flights.empty()) {
+    loop_->jam_watch().restore(*start.from.jam);
+  }
 }
 
 template <class P>

@@ -154,6 +154,11 @@ template <class P>
 void LoopCore<P>::save(Continuation& continuation) const {
   continuation.tick = static_cast<double>(scale_.tick());
   continuation.rests = rests_;
+  continuation.jam.reset();
+  // Other ways have no such count, and balls that lose energy hardly need it.
+  if (loop_ && motion().elastic() && motion().contacts_last()) {
+    loop_->jam_watch().save(continuation.jam.emplace());
+  }
 }
 
 template <class P>
