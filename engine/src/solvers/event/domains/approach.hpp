@@ -173,8 +173,8 @@ class Approach {
   Lanes per_x_;
   Lanes per_y_;
   double slack_;
-  Lanes receding_;
-  Lanes waiting_;
+  Lanes receding_;      ///< slack times a usual speed, negative,
+  Lanes waiting_;       ///< and how long that speed takes for it
   Lanes reach_square_;  ///< where all radii are equal
   const double* radii_;
 };

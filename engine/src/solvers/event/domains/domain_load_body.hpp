@@ -15,6 +15,8 @@ namespace carom::event {
 /// more than all roundings of carried paths.
 inline constexpr double kSlackOfRadius = 0x1p-30;
 inline constexpr double kSlackOfBox = 0x1p-44;
+/// Of the queue, for each ball.
+inline constexpr double kBucketsOfCollision = 0.75;
 
 template <class P>
 DomainLoop<P>::DomainLoop(const Motion<P>& motion, double normal_radius)
@@ -126,7 +128,7 @@ bool DomainLoop<P>::start() {
   mixed_ = !motion_.one_species();
   search_.reset(n, window_.loaded, wrapped, near_,
                 mixed_ ? std::nullopt : std::optional<double>(smallest_radius_));
-  queue_.reset(n, window_.until - window_.from + 1, window_.collisions / 2);
+  queue_.reset(n, window_.until - window_.from + 1, kBucketsOfCollision * window_.collisions);
   lists_.reset(n);
   sort_into_slots();
   if (contacts_last_ && any_rests()) return false;
