@@ -206,6 +206,13 @@ const std::vector<BadScene> kBad{
      "must be 16, 34, 50 or 100, got 17"},
     {"TickThatIsNoPowerOfTwo", with(R"("continuation": {"tick": 0.3})"), "/continuation/tick",
      "must be a power of two, got 0.3"},
+    {"JamOfUnknownTime", with(R"("continuation": {"jam": {"impacts": 3}})"),
+     "/continuation/jam/since",
+     "is missing: what was counted of jams needs it, as in \"since\": \"-1234\""},
+    {"JamThatLastsTooLong", with(R"("continuation": {"jam": {"since": "5", "lasts": 65}})"),
+     "/continuation/jam/lasts", "must be at most 64, got 65"},
+    {"JamFoundTooOften", with(R"("continuation": {"jam": {"since": "5", "found": 1001}})"),
+     "/continuation/jam/found", "must be at most 1000, got 1001"},
     {"FlightsWithoutClock", solid(R"("balls": [{"position": [3, 5]}], "continuation": {"flights":
               [{"start": "0", "position": ["3", "5"], "velocity": ["0", "0"]}]})"),
      "/continuation/tick", "is missing: flights need it"},

@@ -262,6 +262,19 @@ void judge_flights(const Scene& scene, Verdict& verdict) {
   }
 }
 
+void judge_jam(const SavedJam& jam, Verdict& verdict) {
+  const auto at_most = [&verdict](std::string_view key, unsigned number, unsigned most) {
+    if (number > most) {
+      verdict.add(Place("/continuation/jam") / key,
+                  fmt::format("must be at most {}, got {}", most, number));
+    }
+  };
+  at_most("found", jam.found, kMostJamsFound);
+  at_most("found_before", jam.found_before, kMostJamsFound);
+  at_most("lasts", jam.lasts, kMostJamSpans);
+  at_most("spans", jam.spans, kMostJamSpans);
+}
+
 void judge_continuation(const Scene& scene, Verdict& verdict) {
   if (!scene.continuation) return;
   const Continuation& continuation = *scene.continuation;
@@ -271,6 +284,7 @@ void judge_continuation(const Scene& scene, Verdict& verdict) {
                 fmt::format("must be at most {:g}, got {}", kMostSteps, continuation.steps));
   }
   judge_flights(scene, verdict);
+  if (continuation.jam) judge_jam(*continuation.jam, verdict);
   if (!scene.fills.empty()) {
     verdict.add("/fill", "cannot stand beside \"continuation\": a saved scene lists all its balls");
   }

@@ -19,6 +19,10 @@ inline constexpr double kBoxToRadius = 1e12;
 inline constexpr double kMostSteps = 0x1p53;
 /// Impacts that are followed one by one: as often may a ball cross the box.
 inline constexpr double kMostCrossings = 1e10;
+/// What a saved run has counted of jams: as often is one found before the run ends, and so many
+/// spans of time does it last.
+inline constexpr unsigned kMostJamsFound = 1000;
+inline constexpr unsigned kMostJamSpans = 64;
 /// Overlapping pairs that are told one by one.
 inline constexpr std::size_t kMostOverlapsTold = 20;
 

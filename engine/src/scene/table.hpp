@@ -252,11 +252,12 @@ struct Table<SavedJam> {
           .required("\"-1234\""),
       key("impacts", &SavedJam::impacts, "In that span.").always(),
       key("found", &SavedJam::found, "How often the present jam has been found; 0: there is none.")
-          .at_most(1000),
-      key("found_before", &SavedJam::found_before, "The same of the last one.").at_most(1000),
-      key("lasts", &SavedJam::lasts, "For how many spans a jam lasts.").at_most(64),
+          .at_most(kMostJamsFound),
+      key("found_before", &SavedJam::found_before, "The same of the last one.")
+          .at_most(kMostJamsFound),
+      key("lasts", &SavedJam::lasts, "For how many spans a jam lasts.").at_most(kMostJamSpans),
       key("spans", &SavedJam::spans, "Since a jam was found, or was over; 64: or more.")
-          .at_most(64)};
+          .at_most(kMostJamSpans)};
 };
 
 template <>
