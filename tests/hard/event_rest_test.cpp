@@ -126,7 +126,7 @@ TEST(EventRest, a_ball_dropped_on_the_top_of_a_fixed_one_rests_there) {
   EXPECT_EQ(run.impacts(), impacts);
 }
 
-// Its place is told anew whenever the clock's numbers begin anew, at whole powers of two of
+// Its flight begins again each time the clock counts from 0 again, at whole powers of two of
 // seconds.
 TEST(EventRest, a_ball_on_the_top_of_a_fixed_one_stays_there_however_long_it_is_hit) {
   Scene scene = contact_box(10, 10, 0.5);

@@ -54,6 +54,11 @@ class TouchSearch {
   void add_contacts(Group& group, std::size_t member, At now) const;
   void add_walls(Group& group, std::size_t member, At now) const;
   void add_contact(Group& group, std::size_t member, Index j, At now, bool meets) const;
+  /// The restitution of a contact: what is taken as jammed in vain does not bounce, where it may
+  /// lose energy.
+  [[nodiscard]] S restitution_of(const S& of_impact) const {
+    return jam_.gives_up() && !motion_.elastic() ? S(0) : of_impact;
+  }
   [[nodiscard]] bool touch(Index i, Index j, At now, const Vec<S>& r) const;
   [[nodiscard]] bool in_island(Index i) const {
     return motion_.contacts_last() && motion_.in_island(disks_[i]);

@@ -66,8 +66,7 @@ void TouchSearch<P>::add_walls(Group& group, std::size_t member, At now) const {
     const Vec<S> towards = wall - kWalls < 2 ? Vec<S>{side, S(0)} : Vec<S>{S(0), side};
     group.stops.push_back({member, wall, meets});
     group.contacts.push_back(
-        {static_cast<int>(member), kWall, towards,
-         S(jam_.gives_up() && !motion_.elastic() ? 0 : rules.wall_restitution)});
+        {static_cast<int>(member), kWall, towards, restitution_of(S(rules.wall_restitution))});
   }
 }
 
@@ -84,9 +83,8 @@ void TouchSearch<P>::add_contact(Group& group, std::size_t member, Index j, At n
   if (in_island(i) || in_island(j)) return;
   // Each pair once: with the later of its balls, or the one that is not fixed.
   if (other > member && !motion_.fixed(disks_[j])) return;
-  group.contacts.push_back(
-      {static_cast<int>(member), static_cast<int>(other), r,
-       S(jam_.gives_up() && !motion_.elastic() ? 0 : motion_.rules().restitution)});
+  group.contacts.push_back({static_cast<int>(member), static_cast<int>(other), r,
+                            restitution_of(S(motion_.rules().restitution))});
 }
 
 template <class P>
