@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <stdexcept>
 #include <thread>
@@ -184,6 +185,42 @@ TEST(ConflictGroups, LittleThatIsSolvedAgainWakesNoWorkers) {
   };
   EXPECT_EQ(phases_of(3), 3U);
   EXPECT_EQ(phases_of(1), 6U);
+}
+
+// Two balls between two walls are one group in nearly every window.
+TEST(ConflictGroups, WorkersSolveTheLargestInTurn) {
+  Setting setting;
+  Box box;
+  box.width = 3;
+  box.height = 4;
+  setting.rules.domain = Domain(box, true);
+  setting.rules.scale = FixedTimeClock(0.25);
+  setting.rules.all_species = {{0.5, 1}};
+  for (const double x : {1.0, 2.25}) {
+    Disk disk;
+    disk.x = x;
+    disk.y = 2;
+    disk.vx = x == 1.0 ? 10 : 0;
+    setting.disks.push_back(disk);
+  }
+  constexpr std::size_t kWorkers = 3;
+  ConflictGroups<Ballistic> groups(setting.rules);
+  groups.set_workers(kWorkers);
+  groups.limit_window(setting.rules.scale.ticks(0.1));
+  groups.reset(setting.disks, 0, {}, {});
+  std::array<std::size_t, kWorkers> solved{};
+  for (std::size_t phase = groups.aim(setting.rules.scale.ticks(6)); phase != Phase::kFrameDone;
+       phase = groups.finish(phase)) {
+    for (std::size_t k = 0; k < kWorkers; ++k) {
+      const auto before = groups.flight(0);
+      groups.work(phase, {k, kWorkers});
+      const bool changed = !same_flight(groups.flight(0), before);
+      if (phase == ConflictGroups<Ballistic>::kResolve && changed) ++solved.at(k);
+    }
+  }
+  const std::size_t all = solved[0] + solved[1] + solved[2];
+  EXPECT_GT(all, 20U);
+  for (const std::size_t one : solved) EXPECT_GT(6 * one, all);
 }
 
 // For a sanitizer of threads: what a phase reads is not written in it.

@@ -24,9 +24,9 @@ namespace carom::event {
 ///     pair_computation    only with collisions
 ///     pair_resolution     only with collisions
 ///
-/// With one event loop worker 0 does the last of them while the others wait, up to a step of
-/// contact islands that is worth sharing; in pair_computation each worker then solves some of
-/// these.
+/// With one event loop the workers do the last of them in turn, one in each frame while the others
+/// wait, up to a step of contact islands that is worth sharing; in pair_computation each worker
+/// then solves some of these.
 template <class P>
 class LoopCore final : public Core {
  public:
@@ -122,6 +122,7 @@ class LoopCore final : public Core {
   typename P::Clock scale_;
   Sharing sharing_;
   bool no_domains_ = false;                    // they did not get on
+  std::size_t turn_ = 0;                       // the worker that does the event loop
   bool stepping_ = false;                      // islands are solved by all workers,
   std::atomic<std::size_t> taken_{0};          // so many of them so far
   std::unique_ptr<EventLoop<P>> loop_;         // all balls,

@@ -78,7 +78,7 @@ void LoopCore<P>::work(std::size_t phase, Share share) {
     groups_->work(phase, share);
   } else if (phase == ConflictGroups<P>::kPairs) {  // of one loop only where steps are shared
     for (std::size_t k = taken_++; k < loop_->islands(); k = taken_++) loop_->solve_island(k);
-  } else if (share.index == 0) {
+  } else if (share.index == turn_ % share.count) {
     advance();
   }
 }
@@ -105,6 +105,7 @@ std::size_t LoopCore<P>::aim(double time) {
     if (domains_) return aim_way(*domains_);
   }
   if (groups_) return aim_way(*groups_);
+  ++turn_;
   return effects_.collisions ? ConflictGroups<P>::kResolve : ConflictGroups<P>::kFly;
 }
 

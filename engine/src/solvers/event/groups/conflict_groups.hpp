@@ -29,7 +29,7 @@ namespace carom::event {
 ///                         the paths meet
 ///     pair_resolution     balls that meet are a conflict group: each worker solves some groups
 ///                         exactly, by an event loop over the group's balls from the start of the
-///                         window
+///                         window; the largest is solved by who has had least to solve
 ///
 /// Then pairs with a changed path are looked at again.  Groups that meet merge and are solved
 /// again, until no two groups meet.  What changes in such a pass is often little: where it takes
@@ -118,6 +118,7 @@ class ConflictGroups {
     std::vector<Encounter> touching;
     std::vector<Index> solved;  ///< balls with new paths, since the last end of a window
     bool outside = false;       ///< a box is not in its region
+    double burden = 0;          ///< solved so far: balls times ticks
     double pair_seconds = 0;
     double wall_seconds = 0;
   };
@@ -131,6 +132,7 @@ class ConflictGroups {
   [[nodiscard]] std::size_t begin_window();
   [[nodiscard]] std::size_t after_flight();
   [[nodiscard]] std::size_t merge();
+  void take_turns();
   [[nodiscard]] std::size_t end_window();
   /// Whether the phase, after the first pass, takes less time than to wake all workers for it.
   [[nodiscard]] bool is_short(std::size_t phase) const;
@@ -154,6 +156,7 @@ class ConflictGroups {
   bool notes_ = false;
   bool first_pass_ = false;
   std::size_t to_solve_ = 0;  ///< balls of the groups that are dirty
+  std::size_t least_burdened_ = 0;
 
   Time now_ = 0;
   Time until_ = 0;  ///< the end of the present window

@@ -149,8 +149,11 @@ void ConflictGroups<P>::test_pairs(Share share) {
 template <class P>
 void ConflictGroups<P>::resolve(Share share) {
   Workspace& workspace = workspaces_[share.index];
-  for (std::size_t k = share.index; k < dirty_.size(); k += share.count) {
+  const double span = static_cast<double>(until_ - now_);
+  const std::size_t first = share.index + share.count - least_burdened_ % share.count;
+  for (std::size_t k = first % share.count; k < dirty_.size(); k += share.count) {
     const Index root = dirty_[k].root;
+    workspace.burden += span * static_cast<double>(dirty_[k].size);
     std::vector<Index>& members = workspace.loop.members();
     members = sets_.fixed_of(root);
     sets_.each(root, [&](Index i) { members.push_back(i); });
@@ -206,6 +209,15 @@ void ConflictGroups<P>::list_pairs() {
   for (Workspace& workspace : workspaces_) workspace.outside = false;
 }
 
+// The largest group is solved by who has had least to solve so far, or one worker would have most
+// of the work where a heap is one group.
+template <class P>
+void ConflictGroups<P>::take_turns() {
+  const auto has_less = [](const Workspace& a, const Workspace& b) { return a.burden < b.burden; };
+  const auto least = std::min_element(workspaces_.begin(), workspaces_.end(), has_less);
+  least_burdened_ = static_cast<std::size_t>(least - workspaces_.begin());
+}
+
 // Groups that meet become one; what has changed since the last pass has been looked at.
 template <class P>
 std::size_t ConflictGroups<P>::merge() {
@@ -231,7 +243,9 @@ std::size_t ConflictGroups<P>::merge() {
     largest_ = std::max(largest_, group.size);
     sets_.each(group.root, [this](Index i) { tracks_[i].outcome.clear(); });
   }
-  return dirty_.empty() ? end_window() : kResolve;
+  if (dirty_.empty()) return end_window();
+  take_turns();
+  return kResolve;
 }
 
 template <class P>
