@@ -6,6 +6,7 @@
 
 #include "solvers/event/physics.hpp"
 #include "support/flight_at.hpp"
+#include "support/island_balls.hpp"
 
 namespace carom::event::motion_test {
 namespace {
@@ -94,6 +95,39 @@ TEST(Motion, AFixedBallStaysWhereItIsStruck) {
   EXPECT_EQ(a.vx, -3);
   EXPECT_EQ(a.vy, 1);
   EXPECT_EQ(peg.vx, 0);
+}
+
+// What a hit between steps leaves closing may be slow enough for a contact that lasts, and still
+// close its gap before the next step: they meet then.  What fits into the gap is left to the step.
+TEST(Motion, OfAnElasticIslandPairsMeetThatCloseTheirGapBeforeTheNextStep) {
+  for (const double part : {0.9, 1.1}) {
+    for (const unsigned support : {kStepped, 0U}) {
+      IslandBalls balls(island_rules(1, 1));
+      const double step = balls.motion.seconds_of_step();
+      const double gap = balls.motion.speed_of_step() * step;
+      balls.add(0, 0, part * balls.motion.speed_of_step(), 0, support);
+      balls.add(1 + gap, 0, 0, 0, support);
+      const FixedTime at = balls.motion.pair_event(balls.disks[0], balls.disks[1]);
+      if (support == kStepped && part < 1) {
+        EXPECT_EQ(at, kNever);
+      } else {
+        EXPECT_NEAR(balls.motion.rules().scale.seconds(at), step / part, 1e-9 * step);
+      }
+    }
+  }
+}
+
+// It has flown for half of a step when it is hit: half of the gap is as much as it closes.
+TEST(Motion, OfAnElasticIslandWhatIsHitBetweenStepsHasTheRestOfOne) {
+  for (const double part : {0.9, 1.1}) {
+    IslandBalls balls(island_rules(1, 1));
+    const double step = balls.motion.seconds_of_step();
+    balls.add(0, 0, balls.motion.speed_of_step(), 0, kStepped);
+    balls.add(1 + balls.motion.speed_of_step() * step / 2 / part, 0, 0, 0, kStepped);
+    for (Disk& disk : balls.disks) disk.start = balls.motion.rules().scale.ticks(step / 2);
+    const FixedTime at = balls.motion.pair_event(balls.disks[0], balls.disks[1]);
+    EXPECT_EQ(at == kNever, part < 1) << part;
+  }
 }
 
 }  // namespace

@@ -271,6 +271,8 @@ class Motion {
   [[nodiscard]] bool just_fits(const Disk& ball, const Vec<S>& r) const;
   /// Whether the step of their island has seen to it that they do not meet before the next one.
   [[nodiscard]] bool stepped_together(const Disk& a, const Disk& b) const;
+  /// Rule 3: how far an impact may leave contacts to close until the next step, at least.
+  [[nodiscard]] S left_open() const;
   /// Something carries it that can: a wall, or an island.
   [[nodiscard]] bool has_support(const Disk& disk) const;
   /// Whether it all but touches a wall.

@@ -148,7 +148,18 @@ bool Motion<P>::stepped_together(const Disk& a, const Disk& b) const {
   if (!elastic_impacts_) return true;
   const Vec<S> v{b.vx - a.vx, b.vy - a.vy};
   const S distance = root(S(r.x * r.x + r.y * r.y));
-  return -sharp_dot(r, v) <= distance * lasting_speed(S(cross(r, v) / distance), reach);
+  const S closing = -sharp_dot(r, v);
+  if (closing > distance * lasting_speed(S(cross(r, v) / distance), reach)) return false;
+  // A hit between steps may leave what a step would have held: not all of it was one that lasts.
+  const Time start = std::max(a.start, b.start);
+  const Time end = P::Clock::span(P::Clock::steps(start, step_shift_) + 1, step_shift_);
+  const S most = larger(S(squared_gap(r, reach) / (distance + reach)), S(0)) + left_open();
+  return closing * rules_.scale.seconds(end - start) <= distance * most;
+}
+
+template <class P>
+auto Motion<P>::left_open() const -> S {
+  return S(kLeftOpen * largest_radius_);
 }
 
 template <class P>

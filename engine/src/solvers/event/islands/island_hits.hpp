@@ -40,6 +40,7 @@ IslandHits hits_of(const Motion<P>& motion, const HugeVector<typename P::Disk>& 
     return disks[island.members[static_cast<std::size_t>(body)]];
   };
   const auto speed_of_step = static_cast<double>(motion.speed_of_step());
+  const auto lasting_speed = static_cast<double>(motion.lasting_speed(S(0), S(1)));
   hits.fastest = speed_of_step;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const ConeContact& c = island.contacts[k];
@@ -65,7 +66,10 @@ IslandHits hits_of(const Motion<P>& motion, const HugeVector<typename P::Disk>& 
     if (sticks) {
       hits.stays[a] = 1;
       if (c.b != kWall) hits.stays[static_cast<std::size_t>(c.b)] = 1;
-    } else if (speed > 0) {
+    }
+    // What comes faster than a contact that lasts is no such one where nothing takes its energy.
+    const bool holds = sticks && !(motion.keeps_energy() && speed > lasting_speed);
+    if (!holds && speed > 0) {
       hits.bounces = true;
       hits.parts[k] = 1;
       hits.restitution = std::min(
