@@ -134,6 +134,31 @@ TEST(EventJammed, AWedgeThatIsTooNarrowIsNotWaitedFor) {
   EXPECT_NEAR(pair.energy() + report.held_energy, 5e11, 5e11 * 1e-12);
 }
 
+// Upwards it closes a wedge of 1e-8 between a wall and a fixed ball, and it slides away from the
+// wall by as little as that: it turns round, as after pi / 1e-8 impacts.
+TEST(EventJammed, WhatClosesANarrowWedgeTurnsRound) {
+  Lattice wedge{{{{1e-9, 1}, 2}, {{0, 0}, 0}}, {{0, kWall, {-1, 0}, 1}, {0, 1, {1, 1e-8}, 1}}};
+  const JointReport report = wedge.resolve();
+  EXPECT_GT(report.jammed, 0);
+  EXPECT_EQ(report.held_energy, 0);
+  EXPECT_FALSE(wedge.approaches());
+  EXPECT_NEAR(wedge.bodies[0].velocity.y, -1, 1e-7);
+  EXPECT_NEAR(wedge.energy(), 0.25, 0.25 * 1e-14);
+}
+
+// 0 fills the height, but for a wedge that closes to the left.  2 comes to it from the right and
+// falls: 0 has nowhere to go, and what 2 has along it stays with it.
+TEST(EventJammed, WhatComesToAJammedBallGoesOnAlongIt) {
+  Lattice group{{{{0.002, 0}, 6}, {{0, 0}, 0}, {{-1e-4, -0.25}, 0.2}},
+                {{0, kWall, {0, -1}, 1}, {0, 1, {-7e-7, 1}, 1}, {2, 0, {-1, -0.0037}, 1}}};
+  const double before = group.energy();
+  const JointReport report = group.resolve();
+  EXPECT_EQ(report.held_energy, 0);
+  EXPECT_FALSE(group.approaches());
+  EXPECT_NEAR(group.energy(), before, 1e-14 * before);
+  EXPECT_NEAR(group.bodies[2].velocity.y, -0.25, 0.0025);
+}
+
 TEST(EventJammed, ElasticLatticesKeepTheirEnergyAndEnd) {
   int jammed = 0;
   for (unsigned seed = 0; seed < 1000; ++seed) {

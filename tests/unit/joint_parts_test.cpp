@@ -127,6 +127,45 @@ TEST(RoundingApproaches, OfWedgedBodiesEndInACommonVelocity) {
   EXPECT_DOUBLE_EQ(rounding.lost(), 0.5);
 }
 
+// 0 is wedged between a wall and two fixed balls.  2 comes to it and is no part of the wedge: what
+// it has along 0 is left to it.
+TEST(RoundingApproaches, WhatComesToABodyThatIsStillGoesOnAlongIt) {
+  const Bodies bodies{{{0.5, 0}, 1}, {{0, 0}, 0}, {{-4, 3}, 1}, {{0, 0}, 0}};
+  const Contacts contacts{{0, kWall, {0, -1}, 1},
+                          {0, 1, {0.6, 0.8}, 1},
+                          {0, 3, {-0.6, 0.8}, 1},
+                          {2, 0, {-0.8, -0.6}, 1}};
+  const ContactGraph<double> graph(bodies, contacts);
+  GroupMotion<double> motion(bodies, graph);
+  RoundingApproaches<double> rounding(bodies, graph, motion);
+  rounding.end([](const Chosen&) {});
+  EXPECT_FALSE(motion.approaching(false));
+  EXPECT_EQ(rounding.locked(), 1);
+  EXPECT_EQ(motion.velocities()[0].x, 0);
+  EXPECT_EQ(motion.velocities()[0].y, 0);
+  EXPECT_NEAR(motion.velocities()[2].x, -0.6 * 4.8, 1e-12);
+  EXPECT_NEAR(motion.velocities()[2].y, 0.8 * 4.8, 1e-12);
+}
+
+TEST(CommonVelocities, TellWhatIsFreeAndWhatIsStill) {
+  const Bodies bodies{{{0, 0}, 1}, {{0, 0}, 0.5}, {{0, 0}, 0}};
+  const Contacts contacts{
+      {0, 1, {0.8, 0.6}, 1}, {1, 2, {0.6, 0.8}, 1}, {1, kWall, {1, 0}, 1}, {0, 1, {1, 0}, 1}};
+  const ContactGraph<double> graph(bodies, contacts);
+  CommonVelocities<double> common(bodies, graph);
+  EXPECT_FALSE(common.is_beside_still(0));
+  EXPECT_EQ(common.free_mobility(3), 0) << "on an axis";
+  EXPECT_EQ(common.free_mobility(0), 1.5);
+  EXPECT_EQ(common.free_mobility(1), 0.5) << "a fixed ball does not move";
+  EXPECT_EQ(common.free_mobility(2), 0) << "a wall";
+  common.join(2, 0);
+  EXPECT_FALSE(common.is_beside_still(0)) << "it is joined along one axis";
+  EXPECT_EQ(common.free_mobility(0), 0) << "it is not free";
+  common.join(1, 0);
+  EXPECT_TRUE(common.is_beside_still(0));
+  EXPECT_EQ(common.free_mobility(0), 1);
+}
+
 TEST(CommonVelocities, KeepTheMomentumOfWhatIsJoined) {
   const Bodies bodies{{{4, 1}, 1}, {{0, 2}, 1.0 / 3}, {{5, 5}, 1}};
   const Contacts contacts{{0, 1, {1, 0}, 1}};
@@ -181,6 +220,24 @@ TEST(KeptEnergy, SendsBackWhatCanMoveNowhereOrHoldsItsEnergy) {
   velocities = {{0, 0}};
   EXPECT_EQ(KeptEnergy<double>(bodies, between).give_back(start, velocities), 2) << "m v^2 / 2";
   EXPECT_EQ(velocities[0].x, 0);
+}
+
+// The way back is closed to a billionth of the motion only, or to most of it.
+TEST(KeptEnergy, SendsBackAsFarAsTheWayIsOpen) {
+  const Bodies bodies{{{0, 0}, 1}};
+  const Contacts corner{{0, kWall, {0, 1}, 1}, {0, kWall, {-1, 0}, 1}};
+  const ContactGraph<double> graph(bodies, corner);
+  for (const double across : {1e-9, 20.0}) {
+    const Velocities start{{across, 2}};
+    const double speed = std::hypot(across, 2);
+    for (const bool again : {true, false}) {
+      Velocities velocities{{0, 0}};
+      const double held = KeptEnergy<double>(bodies, graph).give_back(start, velocities, again);
+      EXPECT_DOUBLE_EQ(held, again ? 0 : speed * speed / 2);
+      EXPECT_EQ(velocities[0].x, 0);
+      EXPECT_DOUBLE_EQ(velocities[0].y, again ? -speed : 0);
+    }
+  }
 }
 
 }  // namespace

@@ -97,6 +97,30 @@ TEST(Motion, AFixedBallStaysWhereItIsStruck) {
   EXPECT_EQ(peg.vx, 0);
 }
 
+// It fills the width, and friction at the floor presses it to one of the sides, where it has
+// friction, too: N_x = mu N_y + g_x and N_y = 4 - mu N_x to the right, with mu = 1/2 N_x = 2.4 and
+// N_y = 2.8; to the left N_x = 0.8 and N_y = 3.6.  It turns slower by 2 mu (N_x + N_y) / r.
+TEST(Motion, WhatTurnsInATubeOfItsWidthIsPressedToEitherSide) {
+  Box box;
+  box.width = 1;
+  box.height = 10;
+  Rules tube{{box, true}, FixedTimeClock(0.5)};
+  tube.gravity = {1, -4};
+  tube.wall_friction = 0.5;
+  tube.falls = tube.spins = tube.rests = true;
+  tube.all_species = {{0.5, 1}};
+  const Motion<Ballistic> motion(tube);
+  for (const double spin : {-1.0, 1.0}) {
+    Disk ball = flight_at(0.5, 0.5);
+    double turning = spin;
+    EXPECT_EQ(motion.support_on_walls(ball, &turning), 0);
+    EXPECT_EQ(motion.support(ball), kSpins) << spin;
+    const double slower = spin < 0 ? 2 * (2.4 + 2.8) : 2 * (0.8 + 3.6);
+    EXPECT_NEAR(motion.spin_at(ball, turning, tube.scale.ticks(0.05)), spin * (1 - slower * 0.05),
+                1e-12);
+  }
+}
+
 // What a hit between steps leaves closing may be slow enough for a contact that lasts, and still
 // close its gap before the next step: they meet then.  What fits into the gap is left to the step.
 TEST(Motion, OfAnElasticIslandPairsMeetThatCloseTheirGapBeforeTheNextStep) {

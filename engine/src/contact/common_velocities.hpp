@@ -36,6 +36,28 @@ class CommonVelocities {
     give(sets_[0], &Vec<S>::x, velocities);
     give(sets_[1], &Vec<S>::y, velocities);
   }
+  /// Whether one of the two of a contact never moves, or is joined to what never does along both
+  /// axes.
+  [[nodiscard]] bool is_beside_still(std::size_t contact) const {
+    const Contact<S>& c = graph_.contact(contact);
+    return is_still(c.a) || is_still(c.b);
+  }
+  /// How fast an impulse parts the two of a contact, if each of them is joined to nothing or is
+  /// such a body; else 0, as at walls and where it lies on an axis, along which they can be joined.
+  [[nodiscard]] S free_mobility(std::size_t contact) const {
+    const Contact<S>& c = graph_.contact(contact);
+    if (c.b == kWall || c.r.x == 0 || c.r.y == 0) return S(0);
+    S sum = 0;
+    for (const int body : {c.a, c.b}) {
+      if (is_still(body)) continue;
+      if (!is_free(body)) return S(0);
+      sum = sum + graph_.inverse_mass(body);
+    }
+    return sum;
+  }
+  [[nodiscard]] bool is_free(int body) const {
+    return graph_.inverse_mass(body) != 0 && joined_[static_cast<std::size_t>(body)] == 0;
+  }
   /// How many bodies have been joined to others.
   [[nodiscard]] int joined() const {
     int count = 0;
@@ -47,6 +69,9 @@ class CommonVelocities {
   // In the sets, a body is its number and one more.
   static constexpr std::uint32_t kStill = 0;
 
+  [[nodiscard]] bool is_still(int body) const {
+    return sets_[0].look_up(number(body)) == kStill && sets_[1].look_up(number(body)) == kStill;
+  }
   [[nodiscard]] std::uint32_t number(int body) const {
     return graph_.inverse_mass(body) == 0 ? kStill : static_cast<std::uint32_t>(body) + 1;
   }

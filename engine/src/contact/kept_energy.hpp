@@ -7,8 +7,15 @@
 #include <vector>
 
 #include "contact/contact_graph.hpp"
+#include "contact/nonnegative_impulses.hpp"
+#include "contact/pair_impact.hpp"
 
 namespace carom::event {
+
+/// What goes back the way it came can do so with at least this part of its energy; and how often
+/// what is closed of that way is taken off, as that is rounded.
+inline constexpr double kWayBack = 0x1p-20;
+inline constexpr int kTurnsBack = 3;
 
 /// Gives groups of touching bodies the energy back that they had before they were stopped: by one
 /// factor for the velocities of all bodies of a group, seen from its centre of mass unless it
@@ -20,8 +27,9 @@ class KeptEnergy {
       : bodies_(bodies), graph_(graph) {}
 
   /// `start`: the velocities before.  Gives the energy of groups that nothing of theirs can move
-  /// with.
-  double give_back(const std::vector<Vec<S>>& start, std::vector<Vec<S>>& velocities) {
+  /// with.  `again`: what that is may approach, which is to be ended, and asked again.
+  double give_back(const std::vector<Vec<S>>& start, std::vector<Vec<S>>& velocities,
+                   bool again = true) {
     find_groups();
     ExactSum<double> held;
     for (std::uint32_t group = 0; group < bodies_.size(); ++group) {
@@ -49,7 +57,7 @@ class KeptEnergy {
         const S factor = root(S(had / has));
         for (const std::size_t k : members)
           velocities[k] = centre + factor * (velocities[k] - centre);
-      } else if (!go_back(members, start, centre, velocities) && had - has > noise) {
+      } else if (had - has > noise && !(again && go_back(members, start, centre, velocities))) {
         held.add(static_cast<double>(S((had - has) / 2)));
       }
     }
@@ -77,26 +85,28 @@ class KeptEnergy {
     }
   }
 
-  // A group that no other way is open to goes back the way it came, as out of a wedge, if it can.
+  // A group that no other way is open to goes back the way it came, as out of a wedge, as far as
+  // that is open, with all of its energy.
   bool go_back(const Members& members, const std::vector<Vec<S>>& start, const Vec<S>& centre,
                std::vector<Vec<S>>& velocities) const {
-    const std::vector<Vec<S>> before = velocities;
-    for (const std::size_t k : members) velocities[k] = centre + (centre - start[k]);
-    std::vector<char> moved(bodies_.size(), 0);
-    for (const std::size_t k : members) moved[k] = 1;
-    const auto velocity = [&](int body) {
-      return body == kWall ? Vec<S>{S(0), S(0)} : velocities[static_cast<std::size_t>(body)];
-    };
-    const auto concerns = [&](int body) {
-      return body != kWall && moved[static_cast<std::size_t>(body)] != 0;
-    };
-    for (std::size_t k = 0; k < graph_.size(); ++k) {
-      const Contact<S>& c = graph_.contact(k);
-      if (!concerns(c.a) && !concerns(c.b)) continue;
-      if (!(sharp_dot(c.r, velocity(c.b) - velocity(c.a)) < 0)) continue;
-      velocities = before;
-      return false;
+    std::vector<Vec<S>> back = velocities;
+    for (const std::size_t k : members) back[k] = centre + (centre - start[k]);
+    std::vector<char> mobile(graph_.size(), 0);
+    for (std::size_t k = 0; k < graph_.size(); ++k) mobile[k] = graph_.mobility(k) > 0 ? 1 : 0;
+    for (int turn = 0; turn < kTurnsBack; ++turn) {
+      std::vector<S> parting(graph_.size());
+      for (std::size_t k = 0; k < graph_.size(); ++k) parting[k] = graph_.parting(k, back);
+      const std::vector<Vec<S>> totals =
+          graph_.totals(nonnegative_impulses(graph_, parting, mobile));
+      for (const std::size_t k : members) {
+        back[k] = less(back[k], S(-bodies_[k].inverse_mass), totals[k]);
+      }
     }
+    const S had = energy(members, start, centre);
+    const S has = energy(members, back, centre);
+    if (!(has > S(kWayBack) * had)) return false;
+    const S factor = root(S(had / has));
+    for (const std::size_t k : members) velocities[k] = centre + factor * (back[k] - centre);
     return true;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -40,14 +41,15 @@ class RoundingApproaches {
   template <class Reflect>
   void end(Reflect reflect) {
     S units = 2;
-    while (motion_.approaching(false)) {
-      if (rounds_ >= (failed_ ? kFewRounding : kMostRounding)) {
+    bool failed = false;  // to nudge them apart
+    for (int round = 0; motion_.approaching(false); ++round) {
+      if (round >= (failed ? kFewRounding : kMostRounding)) {
         lock();
         return;
       }
       ++rounds_;
-      failed_ = failed_ || !nudge(units);
-      if (failed_) reflect(*motion_.approaching(false));
+      failed = failed || !nudge(units);
+      if (failed) reflect(*motion_.approaching(false));
       units = units * 2;
     }
   }
@@ -87,15 +89,36 @@ class RoundingApproaches {
   }
 
   /// Balls that approach are given one velocity, along the axis where their contact lies on one,
-  /// and stay one body so, until nothing approaches.
+  /// and stay one body so, until nothing approaches.  That begins at what never moves, and what is
+  /// no part of such a body is only stopped along the contact, as long as that helps.
   void lock() {
     const double had = motion_.energy();
     CommonVelocities<S> common(bodies_, graph_);
     // First along the axes that a contact does not only seem to have by rounding.
     S least = kRoundingOfNormal;
+    std::vector<int> stops(graph_.size(), 0);
     while (const auto approaching = motion_.approaching(false)) {
+      std::vector<char> chosen(graph_.size(), 0);
       for (std::size_t k = 0; k < graph_.size(); ++k) {
-        if ((*approaching)[k]) common.join(k, least);
+        if ((*approaching)[k] != 0 && common.is_beside_still(k)) chosen[k] = 1;
+      }
+      if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end()) chosen = *approaching;
+      std::vector<S> impulses(graph_.size(), S(0));
+      std::vector<char> joins(graph_.size(), 0);
+      for (std::size_t k = 0; k < graph_.size(); ++k) {
+        if (chosen[k] == 0) continue;
+        const S mobility = common.free_mobility(k);
+        if (mobility > 0 && stops[k] < kFewRounding) {
+          const S noise = S(2 << stops[k]) * std::numeric_limits<S>::epsilon() * motion_.peak(k);
+          impulses[k] = (noise - graph_.parting(k, motion_.velocities())) / mobility;
+          ++stops[k];
+        } else {
+          joins[k] = 1;
+        }
+      }
+      push(impulses, common);
+      for (std::size_t k = 0; k < graph_.size(); ++k) {
+        if (joins[k] != 0) common.join(k, least);
       }
       least = 0;
       common.give(motion_.velocities());
@@ -104,10 +127,19 @@ class RoundingApproaches {
     lost_ += had - motion_.energy();
   }
 
+  /// What is joined to nothing takes them.
+  void push(const std::vector<S>& impulses, const CommonVelocities<S>& common) {
+    const std::vector<Vec<S>> totals = graph_.totals(impulses);
+    for (std::size_t k = 0; k < totals.size(); ++k) {
+      if ((totals[k].x == 0 && totals[k].y == 0) || !common.is_free(static_cast<int>(k))) continue;
+      Vec<S>& v = motion_.velocities()[k];
+      v = less(v, S(-bodies_[k].inverse_mass), totals[k]);
+    }
+  }
+
   std::span<const Body<S>> bodies_;
   const ContactGraph<S>& graph_;
   GroupMotion<S>& motion_;
-  bool failed_ = false;  ///< to nudge them apart
   int rounds_ = 0;
   int locked_ = 0;
   double lost_ = 0;

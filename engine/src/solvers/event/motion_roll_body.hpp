@@ -73,7 +73,10 @@ auto Motion<P>::corner(const Disk& disk, const S& spin) const -> Corner {
   const S x = x_side * g.x;
   const S y = y_side * g.y;
   const S part = 1 + mu * mu;
-  const Vec<S> load{S((x + turns * mu * y) / part), S((y - turns * mu * x) / part)};
+  Vec<S> load{S((x + turns * mu * y) / part), S((y - turns * mu * x) / part)};
+  // What fills the box touches both walls, and is pressed to one of them.
+  if (box_.lowest(0, radius) == box_.highest(0, radius)) load.x = absolute(load.x);
+  if (box_.lowest(1, radius) == box_.highest(1, radius)) load.y = absolute(load.y);
   return {load, S(2 * mu * (load.x + load.y) / radius)};
 }
 
