@@ -11,6 +11,9 @@ namespace carom::event {
 /// More contacts are solved by an interior point, whose bits depend on the order of the bodies and
 /// contacts, and on mirrors: the caller puts them in order by place.
 inline constexpr std::size_t kFewContacts = 192;
+/// The same of balls that lose energy: of theirs also a few are nearly dependent, and most impacts
+/// come to heaps.
+inline constexpr std::size_t kFewOfHeap = 64;
 
 /// The least change of the motion of an island by which none of its contacts closes beyond
 /// touching.

@@ -56,7 +56,7 @@ namespace carom::event {
 // have been hit within 2^-16 instead of 2^-12; or, where there is friction or drag, one is fixed
 // and the other comes at less than 2^-12 sqrt(s g). A harder impact on an island is resolved for
 // all of it at once: by the least impulses after which it parts e times as fast as it came and
-// nothing closes.  A step of a large heap sees many: to an island of more than kFewContacts
+// nothing closes.  A step of a large heap sees many: to an island of more than kFewOfHeap
 // contacts belong, from each of its steps and impacts to the next step, also the balls that fly
 // near to it, those that will meet one of it before that, from within kAhead, and such as do so
 // with these.  Two that will meet by then bounce at once, so fast as they will be when they are
@@ -72,7 +72,7 @@ namespace carom::event {
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of
 // up to 16 balls: what is pulled, by 2^-22 g, moves on.  A ball on a single fixed one rests only
 // straight above it.  While an island rests it costs nothing.  In an island of more than
-// kFewContacts contacts each ball rests by itself: one that was so slow before the step, too, and
+// kFewOfHeap contacts each ball rests by itself: one that was so slow before the step, too, and
 // from which every faster one is more than two contacts away.  It then stands as walls do, until a
 // faster one comes as near, or one of every eight steps, which asks all, shows that it moves.
 //
@@ -144,7 +144,7 @@ inline constexpr double kLeftOpen = 0x1p-16;
 inline constexpr double kHeld = 0x1p-22;
 inline constexpr std::size_t kFewHeld = 16;
 
-/// Rule 4, in an island of more than kFewContacts contacts: what is so near to what moves, in
+/// Rule 4, in an island of more than kFewOfHeap contacts: what is so near to what moves, in
 /// contacts, does not rest; one of so many steps asks what rests whether it does.
 inline constexpr int kMovesAlong = 2;
 inline constexpr int kAskedAgain = 8;

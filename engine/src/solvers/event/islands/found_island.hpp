@@ -24,15 +24,16 @@ struct FoundIsland : IslandMotion {
 
   std::vector<Index> members;  ///< by ball, as are places
   std::vector<Vec<S>> places;
-  std::vector<Near> near;  ///< by contact
-  double deepest = 0;      ///< overlap of two balls / smaller radius
-  bool complete = false;   ///< the search for it began with all of its members
+  std::vector<Near> near;          ///< by contact
+  std::size_t few = kFewContacts;  ///< it is large that has more contacts
+  double deepest = 0;              ///< overlap of two balls / smaller radius
+  bool complete = false;           ///< the search for it began with all of its members
 };
 
 /// Whether it has many contacts: what comes to it is resolved ahead of its time.
 template <class S>
 bool is_large(const FoundIsland<S>& island) {
-  return island.contacts.size() > kFewContacts;
+  return island.contacts.size() > island.few;
 }
 
 /// Whether a contact is with a wall, not with a fixed ball.

@@ -48,7 +48,7 @@ void IslandImpulses<P>::press(Island& island, const SteppedFlight& next, double 
     number.push_back(k);
   }
   const double rate = next.seconds > 0 ? 1 / next.way() : 0;
-  ConeIsland whole(island.bodies, contacts);
+  ConeIsland whole(island.bodies, contacts, island.few);
   const std::vector<double> impulses = whole.resolve(island.bodies, rate, goal, opens);
   for (std::size_t k = 0; k < number.size(); ++k) loads[number[k]] += impulses[k];
 }

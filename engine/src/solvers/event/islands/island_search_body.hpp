@@ -15,6 +15,7 @@ namespace carom::event {
 template <class P>
 auto IslandSearch<P>::of(const std::vector<Index>& balls, At now, Time until) -> Island {
   Island island;
+  if (!motion_.elastic()) island.few = kFewOfHeap;
   for (const Index i : balls) {
     if (number_[i] < 0) join(island, i, now);
   }

@@ -41,7 +41,7 @@ auto IslandStepping<P>::press(Island& island, const std::vector<char>& stands,
   }
   // A part of many is in order as they are.
   ConeIsland cones(part.bodies, part.contacts,
-                   part.bodies.size() < stands.size() ? kFewOfPart : kFewContacts);
+                   part.bodies.size() < stands.size() ? kFewOfPart : island.few);
   const std::vector<double> pushes =
       cones.resolve(part.bodies, 1 / scale.next.way(), scale.goal, impulses_.opens());
   part.pass_on(island);
