@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <string>
 
 #include "carom/scene_file.hpp"
 #include "carom/simulation.hpp"
@@ -80,6 +81,22 @@ TEST(LatticeRun, WhatSlidesByFastIsNoContactThatLasts) {
     "duration": 1, "script": [{"at": 0.5, "command": "set", "effects": {"gravity": [0, -20]}}]
     })",
                           "lattice"));
+}
+
+// Both are as wide as the box.  When the upper one falls on the lower one that turns, and friction
+// at the floor presses it to a side, where it has friction, too: taken for the other side, it met
+// the wall again at the same instant without end.
+TEST(LatticeRun, BallsThatFillTheWidthAndTurnEnd) {
+  for (const char* of : {"1", "0"}) {
+    SCOPED_TRACE(of);
+    expect_kept(parse_scene(std::string(R"({"box": {"width": 1, "height": 5}, "effects": {
+      "friction": {"balls": 0.5, "walls": 0.5}, "gravity": [1, -9.81],
+      "collisions": {"restitution": )") +
+                                of + R"(}, "walls": {"restitution": )" + of + R"(}},
+      "balls": [{"position": [0.5, 0.5], "radius": 0.5}, {"position": [0.5, 1.6], "radius": 0.5}],
+      "duration": 2})",
+                            "lattice"));
+  }
 }
 
 // Past the ball flies along a wall, through a gap to a fixed one that is exactly zero, with a speed

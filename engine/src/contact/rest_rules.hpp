@@ -65,8 +65,9 @@ namespace carom::event {
 // no energy, but what the turning normals of its contacts took before.  Where nothing loses energy
 // along a normal, a step holds only what approaches no faster than 2 h (g + u^2 / s), u the slip,
 // as gravity and the turning normal of a contact that lasts make it, u h / s being 2^-8 at most;
-// what comes faster, or to a wall, is an impact at its own time.  What presses in a step that would
-// hold what moves, as one that closes a wedge does, is a joint impact.
+// what comes faster, or to a wall, is an impact at its own time, and so is what a hit between steps
+// leaves closing by more than its gap until the next one.  What presses in a step that would hold
+// what moves, as one that closes a wedge does, is a joint impact.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of
