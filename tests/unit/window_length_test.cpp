@@ -107,5 +107,13 @@ TEST(WindowLength, WhereNothingMovesItIsAsLongAsAFlightMayBe) {
   EXPECT_EQ(next(length), kLongestFlight / 64);
 }
 
+TEST(WindowLength, IsShortenedForTheNextWindow) {
+  Length length = measured();
+  length.shorten_to(ticks(3));
+  EXPECT_NEAR(static_cast<double>(next(length)), static_cast<double>(ticks(0.4)), 1);
+  length.shorten_to(ticks(0.125));
+  EXPECT_EQ(next(length), ticks(0.125));
+}
+
 }  // namespace
 }  // namespace carom::event::window_length_test

@@ -24,9 +24,9 @@ namespace carom::event {
 ///     pair_computation    only with collisions
 ///     pair_resolution     only with collisions
 ///
-/// With one event loop the workers do the last of them in turn, one in each frame while the others
-/// wait, up to a step of contact islands that is worth sharing; in pair_computation each worker
-/// then solves some of these.
+/// With one event loop the workers do the last of them in turn, for a frame or a few steps of
+/// contact islands, while the others wait, up to a step that is worth sharing; in pair_computation
+/// each worker then solves some of its islands.
 template <class P>
 class LoopCore final : public Core {
  public:
@@ -123,6 +123,7 @@ class LoopCore final : public Core {
   Sharing sharing_;
   bool no_domains_ = false;                    // they did not get on
   std::size_t turn_ = 0;                       // the worker that does the event loop
+  bool hands_on_ = false;                      // to the next one
   bool stepping_ = false;                      // islands are solved by all workers,
   std::atomic<std::size_t> taken_{0};          // so many of them so far
   std::unique_ptr<EventLoop<P>> loop_;         // all balls,

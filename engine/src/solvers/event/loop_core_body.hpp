@@ -11,6 +11,7 @@
 namespace carom::event {
 
 inline constexpr std::uint64_t kSortAfter = 100;      // impacts of each ball
+inline constexpr int kStepsOfTurn = 8;                // of contact islands, by one worker
 inline constexpr std::size_t kContactsToShare = 100;  // beside those of the largest island
 
 /// A saved run goes on by its own clock, also where all its balls are gone and others are to come.
@@ -89,6 +90,10 @@ std::size_t LoopCore<P>::finish_phase(std::size_t phase) {
     if (domains_) return finish_domains(phase);
   }
   if (groups_) return finish_way(*groups_, phase);
+  if (std::exchange(hands_on_, false)) {
+    ++turn_;
+    return ConflictGroups<P>::kResolve;
+  }
   if (!stepping_) return Phase::kFrameDone;
   return phase == ConflictGroups<P>::kPairs ? ConflictGroups<P>::kResolve
                                             : ConflictGroups<P>::kPairs;
@@ -167,9 +172,14 @@ std::size_t LoopCore<P>::finish_domains(std::size_t phase) requires kShares {
 template <class P>
 void LoopCore<P>::advance() {
   if (std::exchange(stepping_, false)) loop_->end_step();
-  for (;;) {
+  const bool takes_turns = workers_ > 1 && effects_.collisions;
+  for (int steps = 0;;) {
     const bool last = now_.epoch == target_.epoch;
     while (loop_->advance_to_step(last ? target_.ticks : P::Clock::epoch())) {
+      if (takes_turns && steps++ == kStepsOfTurn) {
+        hands_on_ = true;
+        return;
+      }
       loop_->begin_step();
       if (shares_step()) {
         stepping_ = true;

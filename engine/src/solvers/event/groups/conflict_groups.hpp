@@ -118,7 +118,7 @@ class ConflictGroups {
     std::vector<Encounter> touching;
     std::vector<Index> solved;  ///< balls with new paths, since the last end of a window
     bool outside = false;       ///< a box is not in its region
-    double burden = 0;          ///< solved so far: balls times ticks
+    std::size_t burden = 0;     ///< the balls of all groups that it has solved
     double pair_seconds = 0;
     double wall_seconds = 0;
   };
@@ -157,6 +157,7 @@ class ConflictGroups {
   bool first_pass_ = false;
   std::size_t to_solve_ = 0;  ///< balls of the groups that are dirty
   std::size_t least_burdened_ = 0;
+  bool heap_ = false;  ///< most balls were one group that stays together, in the present window
 
   Time now_ = 0;
   Time until_ = 0;  ///< the end of the present window

@@ -7,6 +7,9 @@
 
 namespace carom::event {
 
+// Steps of contact islands in a window with a heap: with fewer the heap begins too often.
+inline constexpr int kStepsOfHeap = 16;
+
 template <class P>
 ConflictGroups<P>::ConflictGroups(const BasicRules<S>& rules)
     : motion_(std::make_shared<const Motion<P>>(rules)),
@@ -48,6 +51,7 @@ template <class P>
 std::size_t ConflictGroups<P>::begin_window() {
   until_ = length_.end(now_, target_);
   cost_ = {};
+  heap_ = false;
   first_pass_ = true;
   return kFly;
 }
@@ -149,11 +153,10 @@ void ConflictGroups<P>::test_pairs(Share share) {
 template <class P>
 void ConflictGroups<P>::resolve(Share share) {
   Workspace& workspace = workspaces_[share.index];
-  const double span = static_cast<double>(until_ - now_);
   const std::size_t first = share.index + share.count - least_burdened_ % share.count;
   for (std::size_t k = first % share.count; k < dirty_.size(); k += share.count) {
     const Index root = dirty_[k].root;
-    workspace.burden += span * static_cast<double>(dirty_[k].size);
+    workspace.burden += dirty_[k].size;
     std::vector<Index>& members = workspace.loop.members();
     members = sets_.fixed_of(root);
     sets_.each(root, [&](Index i) { members.push_back(i); });
@@ -240,6 +243,7 @@ std::size_t ConflictGroups<P>::merge() {
     // Shorter windows part what meets, not what stays together.
     if (!group.lasting) cost_.solved += group.size;
     if (group.lasting && cost_.passes > 1) merges_.add_solved_again(group.size);
+    heap_ = heap_ || (group.lasting && 2 * group.size > tracks_.movers().size());
     largest_ = std::max(largest_, group.size);
     sets_.each(group.root, [this](Index i) { tracks_[i].outcome.clear(); });
   }
@@ -262,6 +266,10 @@ std::size_t ConflictGroups<P>::end_window() {
   ++windows_;
   passes_ += cost_.passes;
   length_.learn(cost_, tracks_.movers().size());
+  // One worker has most of such a window: the next one is another worker's.
+  if (heap_ && workspaces_.size() > 1) {
+    length_.shorten_to(P::Clock::span(kStepsOfHeap, motion_->step_shift()));
+  }
   merges_.end_window(tracks_.movers().size());
   if (now_ == target_) return Phase::kFrameDone;
   return begin_window();

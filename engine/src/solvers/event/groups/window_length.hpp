@@ -41,6 +41,8 @@ class WindowLength {
     full_ = wanted <= target - now;
     return full_ ? Time(now + wanted) : Time(target);
   }
+  /// The next window is no longer.
+  void shorten_to(At most) { length_ = std::min(length_, Time(most)); }
   /// Learns from the window that has ended.  One that the target has cut short and that was not
   /// costly says nothing.
   void learn(const Cost& cost, std::size_t balls) {
