@@ -92,12 +92,33 @@ TEST(IslandRest, OnlyAFewAreAskedAndOnlyIfSomeAreFresh) {
   resting.support[0] = kResting;
   resting.add_wall(0, 30, 0);
   EXPECT_FALSE(resting.moves_on());
-  Island many(kFewHeld + 1);
-  for (int k = 1; k <= static_cast<int>(kFewHeld); ++k) many.add_pair(k - 1, k, {1, 0}, true);
-  EXPECT_FALSE(many.moves_on());
-  Island few(kFewHeld);
-  for (int k = 1; k < static_cast<int>(kFewHeld); ++k) few.add_pair(k - 1, k, {1, 0}, true);
-  EXPECT_TRUE(few.moves_on());  // they fall
+  // A row with a wall under one of them: the others fall.
+  for (const std::size_t n : {kFewHeld, kFewHeld + 1}) {
+    Island row(n);
+    row.add_wall(0, 0, 0);
+    for (int k = 1; k < static_cast<int>(n); ++k) row.add_pair(k - 1, k, {1, 0}, true);
+    EXPECT_EQ(row.moves_on(), n == kFewHeld);
+  }
+}
+
+// Many that stand on each other on one that lies on walls: what these cannot hold up slides with
+// all that it carries.
+TEST(IslandRest, ManyMoveOnWhereAllTheyLeanOnCannotHoldThemUp) {
+  struct Case {
+    std::vector<double> walls;  // degrees
+    double friction;
+    bool moves;
+  };
+  for (const Case& c :
+       {Case{{}, 0, true}, Case{{0}, 0, false}, Case{{1e-4}, 0, true}, Case{{-1e-4}, 0, true},
+        Case{{1e-6}, 0, false}, Case{{10}, 0.17, true}, Case{{10}, 0.18, false},
+        Case{{-10}, 0.17, true}, Case{{30, -50}, 0, false}, Case{{30, 50}, 0, true},
+        Case{{-30, -50}, 0, true}, Case{{180}, 0, true}, Case{{100, -100}, 0, true}}) {
+    Island stack(kFewHeld + 1);
+    for (int k = 1; k <= static_cast<int>(kFewHeld); ++k) stack.add_pair(k - 1, k, {0, 1}, true);
+    for (const double degrees : c.walls) stack.add_wall(0, degrees, c.friction);
+    EXPECT_EQ(stack.moves_on(), c.moves) << c.walls.size() << ' ' << c.friction;
+  }
 }
 
 TEST(IslandRest, WhatComesNearerMovesWhatItTouches) {

@@ -92,8 +92,12 @@ std::uint64_t count_missed(const Balls& balls, const Domain& domain, double step
         const auto touches = [&](const Vec2& at) {
           return nearest_image(balls.at(j) - at, domain).squaredNorm() <= square;
         };
-        if (least_square(nearest_image(balls.at(j) - from, domain), piece) >= square) continue;
-        if (!touches(bullet.position) && !touches(arrived)) ++missed;
+        const Vec2 before = nearest_image(balls.at(j) - from, domain);
+        if (least_square(before, piece) >= square) continue;
+        // What touches afterwards is resolved, unless it has come too far.
+        const bool far = piece.squaredNorm() > 4 * square;
+        const bool passed = before.dot(before - piece) < 0;
+        if (touches(arrived) ? far && passed : passed || !touches(bullet.position)) ++missed;
       }
     }
   }

@@ -20,8 +20,9 @@ struct Bullet {
 void find_bullets(const Balls& balls, std::size_t begin, std::size_t end, double step,
                   double smallest_radius, std::vector<Bullet>& bullets);
 
-/// How many balls the bullets passed through on their ways, which touch them neither before nor
-/// after the step: straight ways, sent back by solid walls without loss.
+/// How many balls the bullets passed through on their ways: whom they do not touch after the step,
+/// or beyond whom they are by more than a resolved impact brings back; straight ways, sent back by
+/// solid walls without loss.
 ///
 /// Holds: at least so many; of a way that is sent back very often, only the first pieces count.
 std::uint64_t count_missed(const Balls& balls, const Domain& domain, double step,

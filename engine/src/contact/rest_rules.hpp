@@ -39,13 +39,13 @@ namespace carom::event {
 // Rule 3, islands.  A contact that lasts and slides (a ball on the side of another, a pile that
 // creeps) has no closed form.  Under gravity and with losses the balls of such contacts are a
 // island, which is stepped: at every whole multiple of a power of two of ticks, h, about 2^-5 of
-// the time of a fall through the largest radius, each of its balls gets g h and the least impulses
-// by which no contact closes beyond touching until the next step, friction included, and flies
-// straight till then.  So its speed is that of the middle of its flight: what joins gets g h / 2,
-// or as much of less than a step, what leaves or is hit on its way what it is owed, and the energy
-// of a flight is that of its middle; what that leaves out is kept by ball where nothing takes
-// energy (SteppedEnergy).  Impacts with others still come at their own times.  Two join
-// an island by an impact
+// the time of a fall through the largest radius of what moves, each of its balls gets g h and the
+// least impulses by which no contact closes beyond touching until the next step, friction included,
+// and flies straight till then.  So its speed is that of the middle of its flight: what joins gets
+// g h / 2, or as much of less than a step, what leaves or is hit on its way what it is owed, and
+// the energy of a flight is that of its middle; what that leaves out is kept by ball where nothing
+// takes energy (SteppedEnergy).  Impacts with others still come at their own times.  Two join an
+// island by an impact
 //   - after which they would meet again within a step, as gravity presses them together,
 //   - or shortly after both have been hit: within 2^-12 sqrt(s/g), and 2^-12 of s: contacts last
 //     so long (Luding and McNamara, Granular Matter 1 (1998) 113).

@@ -5,6 +5,7 @@
 #include <ranges>
 
 #include "effects/contact_group.hpp"
+#include "effects/group_impact.hpp"
 
 namespace carom::effects {
 namespace {
@@ -55,11 +56,13 @@ void pay(ContactGroup& group, const Vec2& acceleration, double work) {
 
 double GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactCount& count) const {
   thread_local ContactGroup group;
-  group.load(balls, pairs, domain_);
+  group.load(balls, pairs, domain_, rule_.step);
   count.lost = 0;
   const Vec2& acceleration = rule_.acceleration;
-  sweep(group, kImpactPasses,
-        [&](Contact& contact) { return group.collide(contact, domain_, rule_, count); });
+  const bool ended = sweep(group, kImpactPasses, [&](Contact& contact) {
+    return group.collide(contact, domain_, rule_, count);
+  });
+  if (!ended && ends_slowly(group)) end_impacts(group, domain_, rule_, count);
   sweep(group, kSeparationPasses, [&](const Contact& contact) {
     const auto share = [&](std::uint32_t member) {
       return group.members[member].inverse_mass / contact.inverse_masses;
@@ -69,6 +72,9 @@ double GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactC
   // Where gravity acts on groups that are resolved here, nothing is lost.
   if (acceleration != Vec2{0, 0} && group.bound) {
     pay(group, acceleration, group.lifting_work(acceleration));
+  }
+  for (const Contact& contact : group.contacts) {
+    if (contact.touching && group.apart(contact, domain_).dot(contact.line.r) < 0) ++count.missed;
   }
   group.store(balls, domain_, turns_);
   return count.lost;

@@ -25,7 +25,8 @@ struct CollisionRule {
 struct ImpactCount {
   std::uint64_t ball_ball = 0;
   std::uint64_t ball_wall = 0;
-  bool timed = false;  ///< what friction takes is measured
+  std::uint64_t missed = 0;  ///< balls that touched, and have passed through each other
+  bool timed = false;        ///< what friction takes is measured
   double friction_seconds = 0;
   ImpactLog log;
   double lost = 0;  ///< energy, by the group that is being resolved

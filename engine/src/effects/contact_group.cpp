@@ -36,7 +36,8 @@ bool held(const Member& member, const Domain& domain) {
 
 }  // namespace
 
-void ContactGroup::load(const Balls& balls, std::span<const Pair> pairs, const Domain& domain) {
+void ContactGroup::load(const Balls& balls, std::span<const Pair> pairs, const Domain& domain,
+                        double step) {
   members.clear();
   contacts.clear();
   spins = balls.spin.size() > 0;
@@ -73,15 +74,34 @@ void ContactGroup::load(const Balls& balls, std::span<const Pair> pairs, const D
     contact.b = place(pair.second);
     const Member& a = members[contact.a];
     const Member& b = members[contact.b];
-    contact.line = line_of_centres(apart(contact, domain), b.velocity - a.velocity);
+    const Vec2 r = apart(contact, domain);
+    const Vec2 velocity = b.velocity - a.velocity;
+    contact.line = line_of_centres(r, velocity);
     contact.inverse_masses = a.inverse_mass + b.inverse_mass;
     contact.reach = a.radius + b.radius;
     contact.touching = contact.line.distance < contact.reach;
+    if (contact.touching && !pulled) see_whether_passed(contact, r, velocity, step);
     contacts.push_back(contact);
   }
   if (contacts.size() > 1) put_in_order();
   bound = std::any_of(members.begin(), members.end(),
                       [&](const Member& member) { return held(member, domain); });
+}
+
+// Two that were so fast meet where they touched on their straight ways, and are moved apart to the
+// sides they came from.
+void ContactGroup::see_whether_passed(Contact& contact, const Vec2& r, const Vec2& velocity,
+                                      double step) const {
+  const Vec2 way = step * velocity;
+  const Vec2 before = r - way;
+  const double most = 2 * contact.reach;
+  if (!(before.dot(r) < 0) || way.squaredNorm() > most * most) return;
+  const double closing = before.dot(way);
+  const double gap = before.squaredNorm() - contact.reach * contact.reach;
+  const double square = closing * closing - way.squaredNorm() * gap;
+  const double part = gap > 0 && square > 0 ? gap / (std::sqrt(square) - closing) : 0.0;
+  contact.line = line_of_centres(before + part * way, velocity);
+  contact.passed = true;
 }
 
 // By what neither a mirror nor another order of the balls changes.
@@ -232,15 +252,17 @@ bool ContactGroup::separate(const Contact& contact, const Domain& domain, double
                             double share_b) {
   constexpr double kClose = 0x1p-40;  // of the sum of the radii: as good as apart
   const Vec2 r = apart(contact, domain);
-  const double square = r.squaredNorm();
+  const double along = r.dot(contact.line.r) / contact.line.length;
+  // Where the centres coincide, or have passed each other, on the sides they came from: their
+  // velocities have turned by now.
+  const bool as_met = contact.passed || !(along > 0);
+  const double square = as_met ? along * std::abs(along) : r.squaredNorm();
   const double close = contact.reach * (1 - kClose);
   if (square >= close * close) return false;
   Member& a = members[contact.a];
   Member& b = members[contact.b];
-  // Where the centres coincide, on the sides they came from: their velocities have turned by now.
-  const bool coincide = r.x() == 0 && r.y() == 0;
-  const LineOfCentres line = coincide ? contact.line : line_of_centres(r, {0, 0});
-  const double depth = contact.reach - (coincide ? 0 : line.distance);
+  const LineOfCentres line = as_met ? contact.line : line_of_centres(r, {0, 0});
+  const double depth = contact.reach - (as_met ? along : line.distance);
   const Vec2 move = depth / line.length * line.r;
   a.position -= share_a * move;
   b.position += share_b * move;

@@ -36,11 +36,12 @@ void note_wall(const WallImpact& met, std::size_t axis, const Member& ball,
 struct Contact {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  LineOfCentres line;  ///< from a to b, as it was before the group was resolved
+  LineOfCentres line;  ///< from a to b, as it was before the group was resolved, or as they met
   double inverse_masses = 0;
   double reach = 0;
   bool touching = false;  ///< the balls overlapped before the group was resolved
   bool met = false;       ///< they have had an impact since
+  bool passed = false;    ///< their centres have passed each other since they met
 };
 
 /// Balls that touch, worked on together: a copy that is loaded, changed and stored back.
@@ -58,7 +59,8 @@ class ContactGroup {
   bool spins = false;   ///< there is friction
   bool pulled = false;  ///< there is attraction
 
-  void load(const Balls& balls, std::span<const Pair> pairs, const Domain& domain);
+  /// `step`: for so long they have flown; 0: it does not matter.
+  void load(const Balls& balls, std::span<const Pair> pairs, const Domain& domain, double step = 0);
   /// Counts which balls it brings back round a periodic axis.
   void store(Balls& balls, const Domain& domain, Turns& turns) const;
 
@@ -93,6 +95,7 @@ class ContactGroup {
 
  private:
   void put_in_order();
+  void see_whether_passed(Contact& contact, const Vec2& r, const Vec2& velocity, double step) const;
   bool collide_under_pull(Contact& contact, const Domain& domain, const CollisionRule& rule,
                           ImpactCount& count);
   void keep_inside(Member& member, const Domain& domain);

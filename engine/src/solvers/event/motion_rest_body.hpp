@@ -13,6 +13,10 @@ namespace carom::event {
 
 template <class P>
 void Motion<P>::add_supported_species() {
+  S largest = 0;
+  for (const Species& species : rules_.all_species) {
+    if (species.inverse_mass > 0) largest = std::max(largest, species.radius);
+  }
   for (unsigned axes = 1; axes <= kJoins; ++axes) {
     for (std::size_t k = 0; k < plain_species_; ++k) {
       Species species = rules_.all_species[k];
@@ -22,7 +26,7 @@ void Motion<P>::add_supported_species() {
   }
   add_supported_laws();
   if (!(pull_ > 0)) return;
-  const S fall = root(S(2 * S(largest_radius_) / pull_));
+  const S fall = root(S(2 * largest / pull_));
   const Time span = rules_.scale.ticks(S(kStep * fall));
   step_shift_ = P::Clock::shift_of(std::min(span, P::Clock::epoch()));
   speed_of_step_ = pull_ * rules_.scale.seconds(P::Clock::span(1, step_shift_));

@@ -289,6 +289,7 @@ void OverlapSolver::count(Measurements& measurements) const {
   for (const overlap::Work& work : work_) {
     measurements.ball_ball += work.impacts.ball_ball;
     measurements.ball_wall += work.impacts.ball_wall;
+    measurements.missed_hits += work.impacts.missed;
     measurements.ball_ball += work.lasting.ball_ball;
     measurements.ball_wall += work.lasting.ball_wall;
     measurements.jammed += work.lasting.jammed;

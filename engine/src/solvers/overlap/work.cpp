@@ -7,6 +7,7 @@ namespace carom::overlap {
 void Work::inherit(Work& gone) {
   impacts.ball_ball += gone.impacts.ball_ball;
   impacts.ball_wall += gone.impacts.ball_wall;
+  impacts.missed += gone.impacts.missed;
   impacts.friction_seconds += gone.impacts.friction_seconds;
   lasting.ball_ball += gone.lasting.ball_ball;
   lasting.ball_wall += gone.lasting.ball_wall;

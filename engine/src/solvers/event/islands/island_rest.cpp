@@ -11,6 +11,26 @@
 #include "solvers/event/support.hpp"
 
 namespace carom::event {
+namespace {
+
+// Whether pushes along these edges of cones can add up to one against `pull`, within kHeld.
+bool hold_up(const std::vector<Vec<double>>& edges, const Vec<double>& pull) {
+  const double size = std::sqrt(dot(pull, pull));
+  const Vec<double> up = -(1 / size) * pull;
+  // The edge next to it on each side, as a way along it and across it.
+  Vec<double> left{-1, 0};
+  Vec<double> right{-1, 0};
+  for (const Vec<double>& edge : edges) {
+    const Vec<double> way =
+        (1 / std::sqrt(dot(edge, edge))) * Vec<double>{dot(up, edge), cross(up, edge)};
+    if (way.x > 0 && std::abs(way.y) <= kHeld) return true;
+    Vec<double>& side = way.y > 0 ? left : right;
+    if (way.x > side.x) side = way;
+  }
+  return left.x > -1 && right.x > -1 && cross(right, left) > 0;
+}
+
+}  // namespace
 
 void hold_still(const IslandMotion& island, const StepScale& step, DisjointSets& sets,
                 const std::vector<char>& presses, std::vector<char>& moves) {
@@ -28,7 +48,9 @@ void hold_still(const IslandMotion& island, const StepScale& step, DisjointSets&
       bodies.push_back({step.span * step.pull, 0, island.bodies[m].inverse_mass});
       fresh = fresh || island.support[m] != kResting;
     }
-    if (!fresh || bodies.size() > kFewHeld) continue;
+    if (!fresh) continue;
+    const bool many = bodies.size() > kFewHeld;
+    std::vector<Vec<double>> edges;
     std::vector<ConeContact> contacts;
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
       ConeContact contact = island.contacts[k];
@@ -45,7 +67,18 @@ void hold_still(const IslandMotion& island, const StepScale& step, DisjointSets&
       contact.b = a < 0 || b < 0 ? kWall : b;
       if (a < 0) contact.normal = -contact.normal;
       contact.gap = 0;
-      contacts.push_back(contact);
+      if (!many) {
+        contacts.push_back(contact);
+      } else if (contact.b == kWall) {
+        const Vec<double> along =
+            contact.friction * Vec<double>{-contact.normal.y, contact.normal.x};
+        edges.push_back(along - contact.normal);
+        edges.push_back(-along - contact.normal);
+      }
+    }
+    if (many) {
+      if (!hold_up(edges, step.pull)) moves[first] = 1;
+      continue;
     }
     ConeIsland whole(bodies, contacts);
     whole.resolve(bodies, 0, kHeld / 4 * step.speed);

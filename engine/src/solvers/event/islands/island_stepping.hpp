@@ -42,6 +42,8 @@ class IslandStepping {
     double goal;         ///< what may remain of speeds that are stopped
   };
   [[nodiscard]] Scale scale() const;
+  /// The goal of a step in which so many balls move.
+  [[nodiscard]] double goal_of(const Island& island, std::size_t moving, const Scale& scale) const;
   /// How balls would move now that had been flying under all that acts on them in this step.
   [[nodiscard]] std::vector<ConeBody> at_end(const Island& island,
                                              const std::vector<ConeBody>& before,
@@ -86,7 +88,8 @@ class IslandStepping {
                                                const std::vector<double>& loads, double still,
                                                double span);
   /// All of them rest where none moved before the step or after it.
-  static void rest_if_stopped(Island& island, const std::vector<ConeBody>& before);
+  static void rest_if_stopped(Island& island, const std::vector<ConeBody>& before,
+                              const Scale& scale);
 
   const Motion<P>& motion_;
   const HugeVector<Disk>& disks_;

@@ -28,6 +28,19 @@ auto IslandStepping<P>::scale() const -> Scale {
           (elastic ? kSolved * kSolved : kSolved) * speed};
 }
 
+// What hardly moves is known as much better, or what is left unsolved would hold it.
+template <class P>
+double IslandStepping<P>::goal_of(const Island& island, std::size_t moving,
+                                  const Scale& scale) const {
+  if (moving > kFewHeld || motion_.elastic()) return scale.goal;
+  double fastest = kStill / 4 * scale.speed;
+  for (const ConeBody& body : island.bodies) {
+    fastest = std::max(
+        {fastest, std::abs(body.velocity.x), std::abs(body.velocity.y), std::abs(body.turning)});
+  }
+  return scale.goal * std::min(fastest / scale.speed, 1.0);
+}
+
 template <class P>
 auto IslandStepping<P>::press(Island& island, const std::vector<char>& stands,
                               const Scale& scale) const -> Pressed {
@@ -43,7 +56,8 @@ auto IslandStepping<P>::press(Island& island, const std::vector<char>& stands,
   ConeIsland cones(part.bodies, part.contacts,
                    part.bodies.size() < stands.size() ? kFewOfPart : island.few);
   const std::vector<double> pushes =
-      cones.resolve(part.bodies, 1 / scale.next.way(), scale.goal, impulses_.opens());
+      cones.resolve(part.bodies, 1 / scale.next.way(), goal_of(island, part.bodies.size(), scale),
+                    impulses_.opens());
   part.pass_on(island);
   for (std::size_t k = 0; k < pushes.size(); ++k) {
     pressed.loads[part.contact_number[k]] = pushes[k];
@@ -258,10 +272,17 @@ double IslandStepping<P>::given_by_parting(const Island& island,
 // Where nothing moved, and what a step made was all taken as energy that there is not, it was what
 // had been left unsolved: balls that gravity moves gain what they fall.
 template <class P>
-void IslandStepping<P>::rest_if_stopped(Island& island, const std::vector<ConeBody>& before) {
+void IslandStepping<P>::rest_if_stopped(Island& island, const std::vector<ConeBody>& before,
+                                        const Scale& scale) {
+  const double most = kHeld / 2 * scale.speed;
   for (std::size_t m = 0; m < before.size(); ++m) {
-    if (island.support[m] != kResting && !(is_slow(before[m], 0) && is_slow(island.bodies[m], 0)))
-      return;
+    if (island.support[m] == kResting) continue;
+    if (!is_slow(before[m], most) || !is_slow(island.bodies[m], most)) return;
+  }
+  for (std::size_t m = 0; m < before.size(); ++m) {
+    if (island.support[m] != kStepped) continue;
+    island.bodies[m].velocity = {0, 0};
+    island.bodies[m].turning = 0;
   }
   std::replace(island.support.begin(), island.support.end(), kStepped, kResting);
 }
@@ -302,7 +323,7 @@ IslandChange IslandStepping<P>::step(Island& island, bool whole) const {
   if (energy.keep(island, keeps, scale.next, impulses_.loses())) {
     impulses_.keep_gaps(island, keeps, scale.next, scale.goal, pressed.loads);
   }
-  if (!motion_.elastic()) rest_if_stopped(island, before);
+  if (!motion_.elastic()) rest_if_stopped(island, before, scale);
   const double lost = energy.loss(island, had, scale.next);
   if (energy.is_held(island, lost)) change.counts.jammed = 1;
   change.carried = {std::move(pressed.loads), std::vector<char>(island.contacts.size(), 0), lost};
