@@ -10,7 +10,7 @@ namespace {
 // Balls of radius 1/2 as a flight has left them.
 struct Flown {
   explicit Flown(const std::vector<Ball>& list) : domain({20, 20}, true), balls(list, Effects{}) {
-    start.make_room(list.size());
+    start.make_room(list.size(), turns);
     sleepers.wake_all(balls);
   }
 
@@ -25,7 +25,8 @@ struct Flown {
   Balls balls;
   LastingRule rule;
   StepStart start;
-  Sleepers sleepers{domain, rule, start};
+  Turns turns;
+  Sleepers sleepers{domain, rule, start, turns};
   ForeseenLinks links{domain, sleepers};
 };
 

@@ -10,12 +10,16 @@ namespace {
 // Balls of radius 1/2 under gravity of size 8, in steps of 1/64.  At the start of a step all but
 // the last one are asleep.
 struct Heap {
-  explicit Heap(const std::vector<Ball>& list) : domain({20, 20}, true), balls(list, Effects{}) {
+  explicit Heap(const std::vector<Ball>& list, const Domain& box = {{20, 20}, true})
+      : domain(box), balls(list, Effects{}) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (domain.period[axis] > 0) turns[axis].assign(list.size(), 0);
+    }
     rule.step = 1.0 / 64;
     rule.fall = {0, -1.0 / 1024};  // g t^2 / 2
     rule.gain = {0, -1.0 / 8};     // g t
-    start.make_room(list.size());
-    start.note(balls, 0, list.size());
+    start.make_room(list.size(), turns);
+    start.note(balls, turns, 0, list.size());
     sleepers.wake_all(balls);
     std::vector<LastingIsland::Member> members(list.size() - 1);
     for (std::uint32_t i = 0; i + 1 < list.size(); ++i) members[i].ball = i;
@@ -34,7 +38,8 @@ struct Heap {
   Balls balls;
   LastingRule rule;
   StepStart start;
-  Sleepers sleepers{domain, rule, start};
+  Turns turns;
+  Sleepers sleepers{domain, rule, start, turns};
 };
 
 using Numbers = std::vector<std::uint32_t>;
@@ -86,6 +91,35 @@ TEST(Sleepers, AFlightIsTakenBack) {
   heap.sleepers.put_back(heap.balls, 0);
   EXPECT_EQ(heap.balls.at(0), (Vec2{5, 3}));
   EXPECT_EQ(heap.balls.velocity[1][0], 0);
+}
+
+// Down a periodic axis, from its lower end.
+struct Seam : Heap {
+  Seam() : Heap({Ball{{5, 0}}, Ball{{5, 0.9}}}, Domain{box(), true}) {
+    // As a flight leaves it.
+    balls.position[1][0] = 20 - 1.0 / 1024;
+    turns[1][0] = -1;
+    sleepers.put_back(balls, 0);
+  }
+  static Box box() {
+    Box made;
+    made.width = made.height = 20;
+    made.periodic = {false, true};
+    return made;
+  }
+};
+
+TEST(Sleepers, AFlightOverAPeriodicSideIsTakenBackWithItsTurn) {
+  const Seam seam;
+  EXPECT_EQ(seam.balls.at(0), (Vec2{5, 0}));
+  EXPECT_EQ(seam.turns[1][0], 0);
+}
+
+TEST(Sleepers, WhatIsWokenHasTheTurnThatItWouldHaveFlown) {
+  Seam seam;
+  ASSERT_EQ(seam.woken_by({{0, 1}}), (Numbers{0}));
+  EXPECT_EQ(seam.balls.at(0), (Vec2{5, 20 - 1.0 / 1024}));
+  EXPECT_EQ(seam.turns[1][0], -1);
 }
 
 }  // namespace

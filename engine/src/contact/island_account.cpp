@@ -4,9 +4,26 @@
 #include <utility>
 
 namespace carom::contact {
+namespace {
+
+// Where turns are counted, the way of a ball from where it was, at the start or as it had flown,
+// beyond the shorter one round: where heavy balls squeeze a light one out it is half a period or
+// more.
+Vec2 farther(const LastingIsland::Member& member, const Vec2& way, const Vec2& shorter,
+             const Domain& domain, const Turns& turns) {
+  Vec2 beyond{0, 0};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (turns[axis].empty()) continue;
+    const auto turned = member.turned[axis] + (member.woken ? member.turned_flying[axis] : 0);
+    beyond[axis] = way[axis] + domain.period[axis] * static_cast<double>(turned) - shorter[axis];
+  }
+  return beyond;
+}
+
+}  // namespace
 
 double lost_by(const LastingIsland& island, const Balls& balls, const Domain& domain,
-               const Vec2& acceleration) {
+               const Turns& turns, const Vec2& acceleration) {
   double lost = 0;
   for (const LastingIsland::Member& member : island.members) {
     const Vec2 from = member.woken ? member.start : member.flown;
@@ -18,8 +35,12 @@ double lost_by(const LastingIsland& island, const Balls& balls, const Domain& do
     const Vec2 now =
         Vec2{balls.velocity[0][member.ball], balls.velocity[1][member.ball]} + member.pulled;
     const double moving = (was - now).dot(was + now) + turned;
-    const Vec2 way = nearest_image(balls.at(member.ball) - from, domain);
-    lost += (moving / 2 + (acceleration + member.pull).dot(way)) / member.inverse_mass;
+    const Vec2 way = balls.at(member.ball) - from;
+    const Vec2 shorter = nearest_image(way, domain);
+    // The pull is the same at every image; what gravity gives is not.
+    const double fallen = (acceleration + member.pull).dot(shorter) +
+                          acceleration.dot(farther(member, way, shorter, domain, turns));
+    lost += (moving / 2 + fallen) / member.inverse_mass;
   }
   return lost;
 }

@@ -9,7 +9,7 @@
 namespace carom::contact {
 
 void LastingContacts::wake_all(const Balls& balls) {
-  start_.make_room(balls.size());
+  start_.make_room(balls.size(), turns_);
   sleepers_.wake_all(balls);
   islands_.reset(balls.size());
 }
@@ -29,7 +29,7 @@ void LastingContacts::find_asleep(const Balls& balls, std::span<const Pair> near
 }
 
 void LastingContacts::begin(const Balls& balls, std::size_t begin, std::size_t end) {
-  start_.note(balls, begin, end);
+  start_.note(balls, turns_, begin, end);
   sleepers_.begin(begin, end);
 }
 

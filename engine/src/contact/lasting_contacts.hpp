@@ -45,7 +45,7 @@ class LastingContacts {
   };
 
   LastingContacts(const Domain& domain, const LastingRule& rule, Turns& turns)
-      : domain_(domain), rule_(rule), step_(domain, rule, turns) {}
+      : domain_(domain), rule_(rule), turns_(turns) {}
   LastingContacts(const LastingContacts&) = delete;
   LastingContacts& operator=(const LastingContacts&) = delete;
 
@@ -88,10 +88,11 @@ class LastingContacts {
 
   const Domain& domain_;
   const LastingRule& rule_;
+  Turns& turns_;
   StepStart start_;
-  Sleepers sleepers_{domain_, rule_, start_};
-  LastingIslands islands_{domain_, rule_, start_, sleepers_};
-  LastingStep step_;
+  Sleepers sleepers_{domain_, rule_, start_, turns_};
+  LastingIslands islands_{domain_, rule_, start_, sleepers_, turns_};
+  LastingStep step_{domain_, rule_, turns_};
 };
 
 }  // namespace carom::contact

@@ -45,8 +45,10 @@ struct LastingIsland {
     double inverse_mass = 0;
     double radius = 0;
     double spin = 0;
-    bool woken = false;                        // it was asleep at the start
-    std::array<std::int64_t, 2> turned{0, 0};  // more turns round periodic axes than flown
+    bool woken = false;  // it was asleep at the start
+    // Turns round periodic axes, where they are counted: in its flight, and beyond that.
+    std::array<std::int64_t, 2> turned_flying{0, 0};
+    std::array<std::int64_t, 2> turned{0, 0};
   };
   /// What a contact is beside its numbers.
   struct Source {

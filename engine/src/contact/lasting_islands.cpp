@@ -196,6 +196,10 @@ LastingIsland::Member LastingIslands::member(const Balls& balls, std::uint32_t b
   member.inverse_mass = balls.inverse_mass[ball];
   member.radius = balls.radius[ball];
   member.woken = sleepers_.woken(ball);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (turns_[axis].empty()) continue;
+    member.turned_flying[axis] = turns_[axis][ball] - start_.turns(axis, ball);
+  }
   if (balls.spin.size() > 0) member.spin = balls.spin[ball];
   return member;
 }

@@ -14,6 +14,7 @@
 #include "contact/step_start.hpp"
 #include "state/balls.hpp"
 #include "state/domain.hpp"
+#include "state/totals.hpp"
 
 namespace carom::contact {
 
@@ -30,8 +31,8 @@ class LastingIslands {
   using Members = std::vector<LastingIsland::Member>;
 
   LastingIslands(const Domain& domain, const LastingRule& rule, const StepStart& start,
-                 const Sleepers& sleepers)
-      : domain_(domain), rule_(rule), start_(start), sleepers_(sleepers) {}
+                 const Sleepers& sleepers, const Turns& turns)
+      : domain_(domain), rule_(rule), start_(start), sleepers_(sleepers), turns_(turns) {}
   LastingIslands(const LastingIslands&) = delete;
   LastingIslands& operator=(const LastingIslands&) = delete;
 
@@ -76,6 +77,7 @@ class LastingIslands {
   const LastingRule& rule_;
   const StepStart& start_;
   const Sleepers& sleepers_;
+  const Turns& turns_;
   ForeseenLinks foreseen_{domain_, sleepers_};
   std::vector<LastingIsland> islands_;
   std::vector<int> island_of_;  // by ball; less than 0: none

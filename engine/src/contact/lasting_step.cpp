@@ -59,7 +59,7 @@ void LastingStep::take(LastingIsland& island, Balls& balls, bool may_sleep,
     move(island, balls, outcome);
     island.deepest = deepest(island, balls);
   }
-  island.lost = lost_by(island, balls, domain_, rule_.acceleration);
+  island.lost = lost_by(island, balls, domain_, turns_, rule_.acceleration);
   if (rule.keeps_energy) {
     const bool keeps = std::abs(island.lost) <= rounding_of_gain(island.bodies, rule);
     if (keeps) island.lost = 0;

@@ -1,6 +1,7 @@
 #include "contact/sleepers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "contact/ball_gap.hpp"
@@ -26,6 +27,7 @@ void Sleepers::put_back(Balls& balls, std::size_t ball) const {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     balls.position[axis][ball] = place[axis];
     balls.velocity[axis][ball] = 0;
+    if (!turns_[axis].empty()) turns_[axis][ball] = start_.turns(axis, ball);
   }
 }
 
@@ -37,8 +39,10 @@ void Sleepers::wake(Balls& balls, std::uint32_t ball) {
   --sleeping_;
   const Vec2 place = start_.place(ball);
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    double x = place[axis] + rule_.fall[axis];
-    if (domain_.period[axis] > 0) x = domain_.wrapped(axis, x);
+    const double flown = place[axis] + rule_.fall[axis];
+    const double period = domain_.period[axis];
+    const double x = period > 0 ? domain_.wrapped(axis, flown) : flown;
+    if (!turns_[axis].empty()) turns_[axis][ball] += std::llrint((flown - x) / period);
     balls.position[axis][ball] = x;
     balls.velocity[axis][ball] = rule_.gain[axis];
   }

@@ -11,6 +11,7 @@
 #include "contact/step_start.hpp"
 #include "state/balls.hpp"
 #include "state/domain.hpp"
+#include "state/totals.hpp"
 
 namespace carom::contact {
 
@@ -20,8 +21,8 @@ namespace carom::contact {
 /// Threads: `begin` and `put_back` for other balls at the same time; the rest by one thread.
 class Sleepers {
  public:
-  Sleepers(const Domain& domain, const LastingRule& rule, const StepStart& start)
-      : domain_(domain), rule_(rule), start_(start) {}
+  Sleepers(const Domain& domain, const LastingRule& rule, const StepStart& start, Turns& turns)
+      : domain_(domain), rule_(rule), start_(start), turns_(turns) {}
   Sleepers(const Sleepers&) = delete;
   Sleepers& operator=(const Sleepers&) = delete;
 
@@ -53,6 +54,7 @@ class Sleepers {
   const Domain& domain_;
   const LastingRule& rule_;
   const StepStart& start_;
+  Turns& turns_;
   std::vector<char> asleep_;
   std::vector<char> woken_;  // in this step
   std::size_t awake_ = 0;
