@@ -49,8 +49,9 @@ namespace carom::event {
 /// which nothing approaches. Where nothing is lost in an impact, all of them are longer by one
 /// factor so that its energy stays; seen from its centre of mass, if it touches nothing fixed. What
 /// vibrated in the gap so drives the group apart along the ways that are open. If there is none,
-/// the group goes back the way it came, as far as that is open; if it is not, the energy is held
-/// back, and counts as lost. Else it is lost, as after ever smaller impacts.
+/// the group goes back the way it came, as far as that is open; if it is not, or all of it is taken
+/// as jammed, the energy is held back, and counts as lost. Else it is lost, as after ever smaller
+/// impacts.
 /// Holds: numbering, sides, mirrors and swapped axes leave the bits as they are: every contact
 /// sees the same old velocities, every sum is rounded once. Momentum of free groups to rounding.
 /// Source: Smith, Kaufman, Vouga, Tamstorf, Grinspun, Reflections on simultaneous impact, ACM TOG
@@ -106,8 +107,9 @@ class JointImpact {
     }
     mend();
     for (int again = 0; again < 4 && elastic && (stopped || rounding_.locked() > 0); ++again) {
+      const bool goes_back = again < 3 && !stops_;
       report_.held_energy =
-          KeptEnergy<S>(bodies_, graph_).give_back(start, motion_.velocities(), again < 3);
+          KeptEnergy<S>(bodies_, graph_).give_back(start, motion_.velocities(), goes_back);
       motion_.note_peaks();
       if (!motion_.approaching(false)) break;
       // What is left is rounding, and what goes back is not held.
