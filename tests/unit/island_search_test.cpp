@@ -197,6 +197,20 @@ TEST(IslandSearch, NumberingDoesNotChangeAnIslandOfManyContacts) {
   }
 }
 
+TEST(IslandSearch, WhatFlightsAreCountedWithoutStaysWithItsBall) {
+  std::vector<int> order = in_order();
+  std::mt19937_64 random(3);
+  std::shuffle(order.begin(), order.end(), random);
+  Lattice balls(order);
+  balls.left_out.resize(balls.disks.size());
+  std::iota(balls.left_out.begin(), balls.left_out.end(), 0.0);
+  const Island island = balls.search.of_step({0}, 0, 0).front();
+  ASSERT_EQ(island.left_out.size(), 144U);
+  for (std::size_t m = 0; m < island.members.size(); ++m) {
+    EXPECT_EQ(island.left_out[m], balls.left_out[island.members[m]]);
+  }
+}
+
 // It falls through the gap in 1/32 of a second at a speed of 1, before the next step or after it.
 TEST(IslandSearch, WhatComesToManyBeforeTheNextStepIsOfThem) {
   for (const double step : {0x1p-4, 0x1p-6}) {

@@ -36,6 +36,7 @@ void put_in_order(FoundIsland<S>& island) {
   rearrange(island.support, order);
   rearrange(island.bodies, order);
   rearrange(island.gravity, order);
+  if (!island.left_out.empty()) rearrange(island.left_out, order);
   std::vector<int> number(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = static_cast<int>(k);
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
