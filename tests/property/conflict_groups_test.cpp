@@ -151,23 +151,29 @@ TEST(ConflictGroups, HaveTheBitsOfOneEventLoop) {
   compare_all<Ballistic>();
 }
 
-// Three balls in a row, the last of which the middle one comes to only after it was hit: the group
-// of two is solved, tested again and solved once more with the third.
-TEST(ConflictGroups, LittleThatIsSolvedAgainWakesNoWorkers) {
+/// Balls of radius 1/2 in a row at these places of a box so wide; the first one comes at 10.
+Setting row_hit_from_the_left(double width, const std::vector<double>& places) {
   Setting setting;
   Box box;
-  box.width = 20;
+  box.width = width;
   box.height = 4;
   setting.rules.domain = Domain(box, true);
   setting.rules.scale = FixedTimeClock(0.25);
   setting.rules.all_species = {{0.5, 1}};
-  for (const double x : {2.0, 4.0, 6.0}) {
+  for (const double x : places) {
     Disk disk;
     disk.x = x;
     disk.y = 2;
-    disk.vx = x == 2.0 ? 10 : 0;
+    disk.vx = setting.disks.empty() ? 10 : 0;
     setting.disks.push_back(disk);
   }
+  return setting;
+}
+
+// Three balls in a row, the last of which the middle one comes to only after it was hit: the group
+// of two is solved, tested again and solved once more with the third.
+TEST(ConflictGroups, LittleThatIsSolvedAgainWakesNoWorkers) {
+  const Setting setting = row_hit_from_the_left(20, {2, 4, 6});
   const auto phases_of = [&](std::size_t workers) {
     ConflictGroups<Ballistic> groups(setting.rules);
     groups.set_workers(workers);
@@ -189,20 +195,7 @@ TEST(ConflictGroups, LittleThatIsSolvedAgainWakesNoWorkers) {
 
 // Two balls between two walls are one group in nearly every window.
 TEST(ConflictGroups, WorkersSolveTheLargestInTurn) {
-  Setting setting;
-  Box box;
-  box.width = 3;
-  box.height = 4;
-  setting.rules.domain = Domain(box, true);
-  setting.rules.scale = FixedTimeClock(0.25);
-  setting.rules.all_species = {{0.5, 1}};
-  for (const double x : {1.0, 2.25}) {
-    Disk disk;
-    disk.x = x;
-    disk.y = 2;
-    disk.vx = x == 1.0 ? 10 : 0;
-    setting.disks.push_back(disk);
-  }
+  const Setting setting = row_hit_from_the_left(3, {1, 2.25});
   constexpr std::size_t kWorkers = 3;
   ConflictGroups<Ballistic> groups(setting.rules);
   groups.set_workers(kWorkers);

@@ -127,8 +127,8 @@ TEST(RoundingApproaches, OfWedgedBodiesEndInACommonVelocity) {
   EXPECT_DOUBLE_EQ(rounding.lost(), 0.5);
 }
 
-// 0 is wedged between a wall and two fixed balls.  2 comes to it and is no part of the wedge: what
-// it has along 0 is left to it.
+// Body 0 is wedged between a wall and two fixed balls.  Body 2 comes to it and is no part of the
+// wedge: it keeps its speed along body 0.
 TEST(RoundingApproaches, WhatComesToABodyThatIsStillGoesOnAlongIt) {
   const Bodies bodies{{{0.5, 0}, 1}, {{0, 0}, 0}, {{-4, 3}, 1}, {{0, 0}, 0}};
   const Contacts contacts{{0, kWall, {0, -1}, 1},
@@ -230,12 +230,12 @@ TEST(KeptEnergy, SendsBackAsFarAsTheWayIsOpen) {
   for (const double across : {1e-9, 20.0}) {
     const Velocities start{{across, 2}};
     const double speed = std::hypot(across, 2);
-    for (const bool again : {true, false}) {
+    for (const bool goes_back : {true, false}) {
       Velocities velocities{{0, 0}};
-      const double held = KeptEnergy<double>(bodies, graph).give_back(start, velocities, again);
-      EXPECT_DOUBLE_EQ(held, again ? 0 : speed * speed / 2);
+      const double held = KeptEnergy<double>(bodies, graph).give_back(start, velocities, goes_back);
+      EXPECT_DOUBLE_EQ(held, goes_back ? 0 : speed * speed / 2);
       EXPECT_EQ(velocities[0].x, 0);
-      EXPECT_DOUBLE_EQ(velocities[0].y, again ? -speed : 0);
+      EXPECT_DOUBLE_EQ(velocities[0].y, goes_back ? -speed : 0);
     }
   }
 }

@@ -42,8 +42,8 @@ class CommonVelocities {
     const Contact<S>& c = graph_.contact(contact);
     return is_still(c.a) || is_still(c.b);
   }
-  /// How fast an impulse parts the two of a contact, if each of them is joined to nothing or is
-  /// such a body; else 0, as at walls and where it lies on an axis, along which they can be joined.
+  /// How fast an impulse parts the two of a contact, if each of them is joined to nothing or never
+  /// moves.  Else 0; also at walls, and for a contact on an axis: its two can be joined along that.
   [[nodiscard]] S free_mobility(std::size_t contact) const {
     const Contact<S>& c = graph_.contact(contact);
     if (c.b == kWall || c.r.x == 0 || c.r.y == 0) return S(0);

@@ -27,9 +27,10 @@ class KeptEnergy {
       : bodies_(bodies), graph_(graph) {}
 
   /// `start`: the velocities before.  Gives the energy of groups that nothing of theirs can move
-  /// with.  `again`: what that is may approach, which is to be ended, and asked again.
+  /// with.  `goes_back`: if no other way is open, a group may go back the way it came; what it then
+  /// meets is for the caller to end, who asks once more.
   double give_back(const std::vector<Vec<S>>& start, std::vector<Vec<S>>& velocities,
-                   bool again = true) {
+                   bool goes_back = true) {
     find_groups();
     ExactSum<double> held;
     for (std::uint32_t group = 0; group < bodies_.size(); ++group) {
@@ -57,7 +58,7 @@ class KeptEnergy {
         const S factor = root(S(had / has));
         for (const std::size_t k : members)
           velocities[k] = centre + factor * (velocities[k] - centre);
-      } else if (had - has > noise && !(again && go_back(members, start, centre, velocities))) {
+      } else if (had - has > noise && !(goes_back && go_back(members, start, centre, velocities))) {
         held.add(static_cast<double>(S((had - has) / 2)));
       }
     }

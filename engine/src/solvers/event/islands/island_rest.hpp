@@ -19,10 +19,9 @@ struct StepScale {
 };
 
 /// What is slow comes to rest only where forces at its contacts hold it: what is pulled moves on.
-/// Of many balls, which creep until all contacts carry, slowness decides, but where what they lean
-/// on cannot hold up the weight of all together.  `presses`: by contact:
-/// it closes, and can take a load; what a set leans on, be it little, and does not move is as a
-/// wall.
+/// Of many balls, which creep until all contacts carry, slowness decides, unless what they lean on
+/// cannot hold up the weight of all of them.  `presses`: by contact: it closes, and can take a
+/// load; what a set leans on, be it little, and does not move is as a wall.
 void hold_still(const IslandMotion& island, const StepScale& step, DisjointSets& sets,
                 const std::vector<char>& presses, std::vector<char>& moves);
 
