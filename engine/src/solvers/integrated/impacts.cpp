@@ -41,7 +41,7 @@ void IntegratedSolver::put_back(const effects::Member& member) {
 void IntegratedSolver::note(const Meeting& meeting, double after, bool bounces, const Vec2& normal,
                             double distance, double impulse, const FrictionChange& by_friction) {
   if (!log_.wanted) return;
-  Impact& impact = (whole_ ? shown_ : log_.impacts).emplace_back();
+  Impact& impact = lines().emplace_back();
   impact.time = step_origin_ + static_cast<double>(steps_) * step_ + after;
   impact.kind = ImpactKind::rest;
   if (bounces) impact.kind = meeting.with_wall() ? ImpactKind::wall : ImpactKind::ball;

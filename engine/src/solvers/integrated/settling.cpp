@@ -54,6 +54,15 @@ double lost_by_joining(const effects::Member& part, const effects::Member& whole
 
 // What has pressed on in the step is stopped and put side by side, in passes to and fro.
 void IntegratedSolver::settle() {
+  if (!meets_anything()) return;
+  const std::array<Balls::Column, 2> from = state_.balls.position;
+  linked_.assign(balls(), 0);
+  stopped_.clear();
+  stop_and_put_apart();
+  pay_for_lifts(from);
+}
+
+void IntegratedSolver::stop_and_put_apart() {
   const auto once = [](std::vector<Meeting>& meetings) {
     std::sort(meetings.begin(), meetings.end(),
               [](const Meeting& m, const Meeting& k) { return m.who() < k.who(); });
@@ -164,13 +173,17 @@ bool IntegratedSolver::act_on(std::span<const Meeting> alike, Acting acting) {
       const auto place = static_cast<std::size_t>(&share_of(part.ball) - shared.data());
       act.by_friction.lost += lost_by_joining(part, together[place]);
     };
+    if (!meeting.with_wall() && made[k].a.inverse_mass > 0 && made[k].b.inverse_mass > 0) {
+      linked_[meeting.i] = linked_[meeting.j] = 1;
+    }
     join(made[k].a);
     if (!meeting.with_wall()) join(made[k].b);
     const double smaller =
         meeting.with_wall() ? made[k].a.radius : std::min(made[k].a.radius, made[k].b.radius);
     state_.deepest = std::max(state_.deepest, act.depth / smaller);
     if (act.impulse == 0) continue;
-    state_.losses.by_ball[meeting.i] += act.by_friction.lost;
+    const bool first_pays = meeting.with_wall() || made[k].a.inverse_mass > 0;
+    stopped_.push_back({first_pays ? meeting.i : meeting.j, act.by_friction.lost, lines().size()});
     note(meeting, part_end_, false, act.normal, act.distance, act.impulse, act.by_friction);
   }
   for (effects::Member& whole : together) {

@@ -37,8 +37,8 @@ namespace carom {
 /// touch, are drawn together and approach slower than what two steps of their acceleration make
 /// rest on each other; so do two whose approach rounding swallows, or that have met too often in a
 /// step. Until the end of the step they are not looked at; there they are stopped and put side by
-/// side, see integrated_settling.cpp. Which balls rest follows from the state at the beginning of
-/// the step and from the impacts in it.
+/// side, see settling.cpp and lifting.cpp. Which balls rest follows from the state at the beginning
+/// of the step and from the impacts in it.
 class IntegratedSolver final : public Solver {
  public:
   IntegratedSolver(const Scene& scene, const std::vector<Ball>& balls);
@@ -134,6 +134,7 @@ class IntegratedSolver final : public Solver {
             double impulse, const FrictionChange& by_friction);
   [[nodiscard]] LineOfCentres line_between(const effects::Member& a,
                                            const effects::Member& b) const;
+  [[nodiscard]] std::vector<Impact>& lines() { return whole_ ? shown_ : log_.impacts; }
   void back_to_start();
   void look_ahead();
   void strike(const Meeting& meeting);
@@ -141,6 +142,7 @@ class IntegratedSolver final : public Solver {
   void strike_wall(const Meeting& meeting);
   void find_resting();
   void settle();
+  void stop_and_put_apart();
   // What acts on one contact at the end of a step, on copies of its balls; nothing where it does
   // not act.
   struct Act {
@@ -149,6 +151,12 @@ class IntegratedSolver final : public Solver {
     double impulse = 0;
     double depth = 0;
     FrictionChange by_friction;
+  };
+  // What a stop took from a ball, and the line of the log that tells of it.
+  struct Stopped {
+    std::uint32_t ball = 0;
+    double lost = 0;
+    std::size_t line = 0;
   };
   using Acting = std::optional<Act> (IntegratedSolver::*)(const Meeting&, effects::Member&,
                                                           effects::Member&) const;
@@ -159,6 +167,11 @@ class IntegratedSolver final : public Solver {
   void sweep(std::vector<Meeting>& meetings, Acting acting);
   bool act_on(std::span<const Meeting> alike, Acting acting);
   bool put_inside(effects::Member& ball) const;
+  [[nodiscard]] double lift(std::uint32_t i, const std::array<Balls::Column, 2>& from) const;
+  void pay_for_lifts(const std::array<Balls::Column, 2>& from);
+  void book(const Stopped& stopped, double energy);
+  [[nodiscard]] double rounding_of_fall(std::uint32_t i) const;
+  bool slow_down(std::uint32_t i, double energy);
   [[nodiscard]] double closing_speed(const Meeting& meeting,
                                      const std::array<Balls::Column, 2>& position,
                                      const std::array<Balls::Column, 2>& velocity) const;
@@ -210,7 +223,9 @@ class IntegratedSolver final : public Solver {
   std::vector<double> start_lost_;
   std::array<Balls::Column, 2> low_;  // what a ball's path stays within
   std::array<Balls::Column, 2> high_;
-  std::vector<Meeting> resting_;                                   // until the end of the step
+  std::vector<Meeting> resting_;  // until the end of the step
+  std::vector<Stopped> stopped_;
+  std::vector<unsigned char> linked_;  // 1: settled with another that can move
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> struck_;  // in this step, how often
   std::vector<Find> finds_;
   ImpactLog log_;
