@@ -17,6 +17,7 @@ constexpr int kRowsToNumber = 3;     // rows with a number beside them
 constexpr int kMargin = 10;          // of the numbers
 constexpr int kDigitsOfDouble = 16;  // digits: what needs more is drawn at the lower edge
 constexpr double kRoom = 0.5;        // decades below the lowest mark
+constexpr double kLeastHeight = 1;   // decades
 
 struct Mark {
   double x = 0;  // decimal logarithms
@@ -129,7 +130,11 @@ std::string to_plot(const AccuracyStudy& study) {
     if (!y) y = Range{mark.y, mark.y};
     y = Range{std::min(y->low, mark.y), std::max(y->high, mark.y)};
   }
+  const bool all_below = !y;
   if (!y) y = Range{0, 0};
+  if (const double lacking = kLeastHeight - (y->high - y->low); lacking > 0) {
+    y = Range{y->low - lacking / 2, y->high + lacking / 2};
+  }
   if (below) y->low -= std::max(kRoom, (y->high - y->low) / kRows * 2);
   for (Mark& mark : marks) {
     if (mark.below) mark.y = y->low;
@@ -154,7 +159,7 @@ std::string to_plot(const AccuracyStudy& study) {
     std::string number;
     if (below && row == kRows - 1) {
       number = "0 or less";
-    } else if (row % kRowsToNumber == 0) {
+    } else if (row % kRowsToNumber == 0 && !all_below) {
       number = fmt::format("{:.1e}", std::pow(10.0, y->low + part * (y->high - y->low)));
     }
     std::string line = fmt::format("{:>{}} |{}", number, kMargin - 1, sheet.row(row));

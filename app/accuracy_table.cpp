@@ -76,9 +76,10 @@ std::string reference_text(const AccuracyStudy& study) {
   if (reference.equilibrium) {
     return fmt::format(
         "reference: static equilibrium, to which losses under gravity lead; medians over {}\n\n",
-        study.starts == 1 ? "one start, as the scene has no fill"
-                          : fmt::format("{} starts, seeds {} to {}", study.starts, study.seed,
-                                        study.seed + study.starts - 1));
+        !study.drawn        ? "one start, as the scene has no fill"
+        : study.starts == 1 ? fmt::format("one start, seed {}", study.seed)
+                            : fmt::format("{} starts, seeds {} to {}", study.starts, study.seed,
+                                          study.seed + study.starts - 1));
   }
   if (!reference.absent.empty()) {
     return fmt::format("{}; only averages are compared\n", reference.absent);

@@ -169,11 +169,13 @@ std::string ends_of(const AccuracyStudy& study, Method method, double target) {
 
 /// Where all starts end at one height, what it tends to with the step.
 std::string height_text(const AccuracyStudy& study) {
-  constexpr double kUnique = 1e-6;  // of the smallest radius
+  constexpr double kUnique = 1e-6;                  // of the smallest radius
+  if (study.drawn && study.starts == 1) return "";  // other starts may end elsewhere
   std::vector<const AccuracyRow*> steps;
   for (const AccuracyRow& row : study.rows) {
     if (!ran(row)) continue;
-    if (row.method == Method::event && row.rest->height.spread > kUnique * study.smallest_radius) {
+    if (row.method == Method::event &&
+        (!row.rest->rest_time || row.rest->height.spread > kUnique * study.smallest_radius)) {
       return "";
     }
     if (row.step && row.rest->rest_time) steps.push_back(&row);

@@ -89,6 +89,7 @@ AccuracyStudy made_up() {
   study.smallest_radius = 0.5;
   study.seed = 7;
   study.starts = 8;
+  study.drawn = true;
   study.reference.equilibrium = true;
   const auto add = [&](Method method, std::optional<double> step, double seconds, double residual,
                        double overlap, double height) {
@@ -128,6 +129,32 @@ TEST(RestText, TheSentenceConcludes) {
       << to_sentences(study);
   study.rows.front().rest->height.spread = 1;  // no unique end: nothing to extrapolate
   EXPECT_EQ(to_sentences(study).find("Richardson"), std::string::npos);
+}
+
+TEST(RestText, AHeightIsExtrapolatedWhereTheEndIsKnownToBeUnique) {
+  const auto extrapolates = [](const AccuracyStudy& study) {
+    return to_sentences(study).find("Richardson") != std::string::npos;
+  };
+  AccuracyStudy study = made_up();
+  ASSERT_TRUE(extrapolates(study));
+  study.starts = 1;
+  EXPECT_FALSE(extrapolates(study)) << "another seed may end elsewhere";
+  study.drawn = false;
+  EXPECT_TRUE(extrapolates(study));
+  study.rows.front().rest->rest_time.reset();
+  EXPECT_FALSE(extrapolates(study)) << "event has not ended";
+}
+
+TEST(RestText, StartsAreNamed) {
+  AccuracyStudy study = made_up();
+  const auto says = [&](const std::string& what) {
+    return to_table(study).find(what) != std::string::npos;
+  };
+  EXPECT_TRUE(says("medians over 8 starts, seeds 7 to 14"));
+  study.starts = 1;
+  EXPECT_TRUE(says("medians over one start, seed 7"));
+  study.drawn = false;
+  EXPECT_TRUE(says("medians over one start, as the scene has no fill"));
 }
 
 TEST(RestText, TheTargetIsJudgedByTheLargerOfResidualAndOverlap) {

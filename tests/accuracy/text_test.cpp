@@ -160,6 +160,21 @@ TEST(Text, ThePlotHasAMarkForEachRunAndALineForEachMethod) {
   EXPECT_NE(plot.find(" 1e-3 "), std::string::npos);
 }
 
+TEST(Text, ThePlotOfEqualErrorsSpansADecade) {
+  AccuracyStudy study = made_up();
+  for (AccuracyRow& each : study.rows) {
+    each.position_error = 1;
+    each.digits = 16;
+  }
+  const std::string plot = to_plot(study);
+  EXPECT_NE(plot.find(" 3.2e+00 |"), std::string::npos) << plot;
+  EXPECT_EQ(plot.find("0 or less |"), std::string::npos);
+  for (AccuracyRow& each : study.rows) each.position_error = 0;
+  const std::string at_edge = to_plot(study);
+  EXPECT_NE(at_edge.find("0 or less |"), std::string::npos);
+  EXPECT_EQ(at_edge.find("e+00 |"), std::string::npos) << "there is nothing to number\n" << at_edge;
+}
+
 TEST(Text, RunsWithoutErrorAreDrawnOnALineOfTheirOwn) {
   AccuracyStudy study = made_up();
   study.rows[0].position_error = 0;

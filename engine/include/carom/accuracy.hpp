@@ -149,6 +149,7 @@ struct AccuracyStudy {
   double smallest_radius = 0;  ///< 0: there is no ball
   std::uint64_t seed = 0;
   std::size_t starts = 1;  ///< from this seed on
+  bool drawn = false;      ///< the scene has fills: each seed is another start
   Machine machine;
   AccuracyReference reference;
   std::vector<AccuracyRow> rows;

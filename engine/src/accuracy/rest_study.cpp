@@ -52,6 +52,7 @@ class RestStudy {
     study_.balls = starts_.front().start.balls.size();
     study_.seed = scene.seed;
     study_.starts = starts_.size();
+    study_.drawn = !scene.fills.empty();
     study_.machine = this_machine();
     study_.target = request.target;
     study_.reference.equilibrium = true;

@@ -47,6 +47,7 @@ class Study {
     study_.balls = scenario_.start.balls.size();
     study_.smallest_radius = radius_;
     study_.seed = scene.seed;
+    study_.drawn = !scene.fills.empty();
     study_.machine = this_machine();
     study_.target = request.target;
     if (request.observables.empty()) return;
