@@ -65,7 +65,8 @@ class LoopCore final : public Core {
   };
 
   [[nodiscard]] Disk flight_of(const Ball& ball) const;
-  [[nodiscard]] Moment moment(double seconds) const;
+  [[nodiscard]] Moment moment(double seconds) const { return moment(seconds, scale_); }
+  [[nodiscard]] static Moment moment(const S& seconds, const typename P::Clock& clock);
   /// In more digits flights are so slow that domains never have enough balls.
   static constexpr bool kShares = kIsDouble<S>;
 
@@ -95,6 +96,14 @@ class LoopCore final : public Core {
   void advance();
   [[nodiscard]] bool shares_step() const;
   void land();
+  /// Nothing moves or falls: nothing will ever happen.
+  [[nodiscard]] bool all_is_still() const;
+  /// Time goes on to this moment, while nothing moves.
+  /// REQUIRES: landed.
+  void go_on_to(const Moment& moment);
+  /// Takes the clock of what moves now.
+  /// REQUIRES: landed; all was still.
+  void take_clock();
   /// Notes that a ball at rest, with its number from now on, moves again.
   void tell_wake(std::size_t ball, const Disk& disk);
   /// How often each ball was brought back round a periodic axis that gravity pulls along, in the
@@ -120,6 +129,7 @@ class LoopCore final : public Core {
   std::vector<double> left_outs_;   // see SteppedEnergy
   std::vector<Index> slot_;         // where in the event loop a ball is
   typename P::Clock scale_;
+  bool was_still_ = false;  // at the last `land`: the clock is of nothing that moves
   Sharing sharing_;
   bool no_domains_ = false;                    // they did not get on
   std::size_t turn_ = 0;                       // the worker that does the event loop

@@ -49,10 +49,10 @@ LoopCore<P>::LoopCore(CoreStart start)
 }
 
 template <class P>
-auto LoopCore<P>::moment(double seconds) const -> Moment {
+auto LoopCore<P>::moment(const S& seconds, const typename P::Clock& clock) -> Moment {
   using std::floor;
   const S length = static_cast<S>(P::Clock::epoch());
-  const S ticks = seconds * scale_.per_second();
+  const S ticks = seconds * clock.per_second();
   const S epoch = floor(S(ticks / length));
   return {static_cast<double>(epoch), P::Clock::whole(ticks - epoch * length)};
 }
@@ -106,6 +106,12 @@ std::size_t LoopCore<P>::aim(double time) {
     return Phase::kFrameDone;
   }
   target_ = wanted;
+  if (wanted.epoch != now_.epoch && all_is_still()) {
+    land();
+    go_on_to(wanted);
+    start();
+    return Phase::kFrameDone;
+  }
   if constexpr (kShares) {
     if (domains_) return aim_way(*domains_);
   }

@@ -56,6 +56,7 @@ auto LoopCore<P>::flight_of(const Ball& ball) const -> Disk {
 template <class P>
 void LoopCore<P>::land() {
   collect_log();
+  was_still_ = all_is_still();
   // What a flight has gone round stays with it until it ends.
   if (loop_ || groups_) turns_before_ = turns(false);
   read_balls(balls_);
@@ -88,7 +89,35 @@ void LoopCore<P>::land() {
 }
 
 template <class P>
+bool LoopCore<P>::all_is_still() const {
+  if (gravity_of(effects_) != std::array<double, 2>{0, 0}) return false;
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    const Disk disk = flight(i);
+    if (disk.vx != 0 || disk.vy != 0) return false;
+  }
+  return true;
+}
+
+template <class P>
+void LoopCore<P>::go_on_to(const Moment& moment) {
+  was_still_ = false;
+  now_ = moment;
+  for (std::size_t i = 0; i < flights_.size(); ++i) {
+    if (!balls_[i].fixed) flights_[i].start = now_.ticks;
+  }
+}
+
+template <class P>
+void LoopCore<P>::take_clock() {
+  const S epochs = static_cast<S>(P::Clock::epoch()) * now_.epoch;
+  const S seconds = scale_.seconds(now_.ticks) + epochs * scale_.tick();
+  scale_ = typename P::Clock(crossing_time(domain_, effects_, balls_));
+  go_on_to(moment(seconds, scale_));
+}
+
+template <class P>
 void LoopCore<P>::start() {
+  if (was_still_) take_clock();
   BasicRules<S> rules{domain_,
                       scale_,
                       gravity_of(effects_),
