@@ -112,6 +112,24 @@ TEST(EventRolls, in_a_corner_until_it_turns_no_more) {
 }
 
 // Two that touch roll as one.
+// Both touch both walls and are pressed to one.  The lower one bounces, turns, rubs at that wall
+// and changes there to slide the other way.  Broken, it is lifted by the rounding of its place in
+// each bounce, and never comes down.
+TEST(EventRolls, in_a_tube_that_they_fill) {
+  Scene scene = test::contact_box(1, 3, 0.9, {-3, -kG});
+  scene.effects.friction = Friction{0.5, 0.5};
+  const test::ContactOutcome end = test::run_contact(
+      scene, {test::contact_ball(0.5, 0.5), test::contact_ball(0.5, 1.5, 0, 1)}, 3);
+  EXPECT_NEAR(end.energy + end.dissipated, end.energy_before, 1e-12 * std::abs(end.energy_before));
+  for (const Ball& ball : end.balls) {
+    EXPECT_EQ(ball.velocity, Vec2(0, 0));
+    EXPECT_EQ(ball.spin, 0);
+    EXPECT_EQ(ball.position.x(), 0.5);
+  }
+  EXPECT_NEAR(end.balls[0].position.y(), 0.5, 1e-7);
+  EXPECT_NEAR(end.balls[1].position.y(), 1.5, 1e-7);
+}
+
 TEST(EventRolls, two_that_touch) {
   const test::ContactOutcome end =
       test::run_contact(friction_body({0.981, -kG}, 0.4),

@@ -46,7 +46,9 @@ TEST(EventStill, ALongTimePassesAtOnceWhereNothingMoves) {
 TEST(EventStill, WhatMovesLaterHasAClockOfItsOwn) {
   constexpr double kSide = 1e-12;
   constexpr double kSpeed = 1000;
-  Simulation simulation(empty_box(kSide));
+  Scene scene = empty_box(kSide);
+  scene.duration = 1e-12;
+  Simulation simulation(scene);
   Ball ball = ball_at(kSide / 2, kSide / 2, 0.3 * kSide);
   ball.velocity = {kSpeed, 0};
   simulation.apply(command::Add{ball});

@@ -45,6 +45,7 @@ template <class P>
 void EventLoop<P>::settle(Index i, At now) {
   if (!left_.empty()) left_[i] = kUnknown;
   motion_.carry(disks_[i], now, spin(i));
+  motion_.put_at_end(disks_[i]);
   motion_.settle(disks_[i], spins_[i]);
   supports_.update(i);
   book_.keep();

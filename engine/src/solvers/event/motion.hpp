@@ -197,6 +197,9 @@ class Motion {
   double support_on_walls(Disk& disk, S* spin) const;
   /// At the end of its slide: the spin of what rolls.
   void settle(const Disk& disk, S& spin) const;
+  /// Puts what slides along a wall, and is above another by no more than the rounding of its place,
+  /// at that one: lifted by rounding in each of its bounces, it would bounce for ever.
+  void put_at_end(Disk& disk) const;
   /// The same on the very top of a fixed ball.
   double support_on_fixed_disk(Disk& disk, const Disk& fixed_disk) const;
   /// Rule 2: whether two that touch part no more: so slowly that the run cannot tell.

@@ -91,6 +91,18 @@ void Motion<P>::settle(const Disk& disk, S& spin) const {
 }
 
 template <class P>
+void Motion<P>::put_at_end(Disk& disk) const {
+  if (!slides(disk)) return;
+  const std::size_t axis = track(axes_of(support(disk))).along;
+  if (!box_.solid(axis)) return;
+  S& x = axis == 0 ? disk.x : disk.y;
+  const S& radius = species(disk).radius;
+  for (const S& stop : {box_.lowest(axis, radius), box_.highest(axis, radius)}) {
+    if (!(absolute(S(x - stop)) > 2 * std::numeric_limits<S>::epsilon() * absolute(stop))) x = stop;
+  }
+}
+
+template <class P>
 auto Motion<P>::spin_at(const Disk& disk, const S& spin, At now) const -> S {
   const unsigned code = support(disk);
   if (code < kSlides || code >= kResting || now == disk.start) return spin;
