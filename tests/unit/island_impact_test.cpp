@@ -120,6 +120,48 @@ TEST(IslandImpact, WhatComesSlowlyIsOfTheIslandFromThenOn) {
   }
 }
 
+// Ball 0 lies on the side of a fixed one and slides, by gravity, into ball 1, which flies and parts
+// from it at p.  By N and J of the contacts 0 has u along the slope, and 1 as much to its side:
+//   u = 0.6 g h / 2 - 0.8 J,  p + J = 0.8 u.
+// At p above 0.48 g h / 2 it is gone before 0 comes.
+TEST(IslandImpact, WhatLeavesMoreSlowlyThanGravityBringsAnElasticBallAfterItStays) {
+  constexpr double kHalf = 0x1p-9;
+  for (const double p : {0x1p-20, 0x1p-9}) {
+    IslandBalls balls(island_rules(1, 1));
+    balls.add(0, 0, 0, 0, 0);
+    balls.add(-1, 0, -p, 0, 0);
+    balls.add_fixed(0.6, -0.8);
+    balls.left_out.assign(3, 0.0);
+    const Hit after = hit(balls, {0, 1}, 2 * kHalf);
+    EXPECT_EQ(after.support(0), kStepped);
+    if (p > 0.48 * kHalf) {
+      EXPECT_EQ(after.support(1), 0U);
+      EXPECT_NEAR(after.velocity(1).x, -p, 1e-6 * p);
+      continue;
+    }
+    EXPECT_EQ(after.support(1), kStepped);
+    const double u = (0.6 * kHalf + 0.8 * p) / 1.64;
+    EXPECT_NEAR(after.velocity(0).x, -0.8 * u, 1e-3 * u);
+    EXPECT_NEAR(after.velocity(1).x, -0.8 * u, 1e-3 * u);
+    EXPECT_NEAR(after.velocity(1).y, -kHalf, 1e-3 * kHalf);
+  }
+}
+
+// It comes down so slowly that it closes its gap just until the step: the floor's impulse has taken
+// what gravity has made ahead.  A ball of the same mass that hits it then leaves as fast as it was.
+TEST(IslandImpact, WhatIsHeldAboveAFloorUntilTheStepHasNoGravityToGiveBack) {
+  constexpr double kStep = 0x1p-6;
+  constexpr double kGap = 0x1p-20;
+  IslandBalls balls(island_rules(1, 1));
+  balls.add(0, 0, 0, -kGap / kStep);
+  balls.add(0, 1, 0, -1, 0);
+  balls.add_fixed(0, -1 - kGap);
+  balls.left_out.assign(3, 0.0);
+  balls.next_step = balls.motion.rules().scale.ticks(kStep);
+  const Hit after = hit(balls, {0, 1}, kStep);
+  EXPECT_NEAR(after.velocity(1).y, -kGap / kStep, kStep / 32) << "g h / 2 is 16 times that";
+}
+
 // It was a little above the floor.
 TEST(IslandImpact, WhatIsAtAWallIsExactlyThereAndDoesNotGoIntoIt) {
   IslandBalls balls(island_rules(0.5, 0));

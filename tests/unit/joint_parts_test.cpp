@@ -9,6 +9,7 @@
 #include "contact/common_velocities.hpp"
 #include "contact/group_motion.hpp"
 #include "contact/jammed_contacts.hpp"
+#include "contact/joint_impact.hpp"
 #include "contact/kept_energy.hpp"
 #include "contact/reflection_limits.hpp"
 #include "contact/rounding_approaches.hpp"
@@ -220,6 +221,18 @@ TEST(KeptEnergy, SendsBackWhatCanMoveNowhereOrHoldsItsEnergy) {
   velocities = {{0, 0}};
   EXPECT_EQ(KeptEnergy<double>(bodies, between).give_back(start, velocities), 2) << "m v^2 / 2";
   EXPECT_EQ(velocities[0].x, 0);
+}
+
+// Two fixed balls are in its way, and stopping it would take both: so it goes back as it came. What
+// reflections end is not stopped, though its impacts have had no end before.
+TEST(JointImpact, StopsOnlyWhatReflectionsDoNotEnd) {
+  Bodies bodies{{{0.25, 2}, 1}, {{0, 0}, 0}, {{0, 0}, 0}};
+  const Contacts wedge{{0, 1, {-0.6, 0.8}, 1}, {0, 2, {0.6, 0.8}, 1}};
+  const JointReport report = joint_impact<double>(bodies, wedge, true);
+  EXPECT_EQ(report.jammed, 0);
+  EXPECT_EQ(report.held_energy, 0);
+  EXPECT_NEAR(bodies[0].velocity.x, -0.25, 16 * kUnit);
+  EXPECT_NEAR(bodies[0].velocity.y, -2, 16 * kUnit);
 }
 
 // The way back is closed to a billionth of the motion only, or to most of it.

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/dense_cholesky.hpp"
+#include "contact/quadratic_interior.hpp"
+
 namespace carom::event {
 namespace {
 
@@ -24,32 +27,25 @@ class Carried {
       if (carries[k] != 0) which_.push_back(k);
     }
     const std::size_t n = which_.size();
-    factor_.assign(n * n, 0.0);
-    column_.assign(n, 0.0);
+    factor_.reset(n);
+    column_.resize(n);
+    least_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
-      double* row = &factor_[i * n];
-      for (std::size_t j = 0; j <= i; ++j) {
-        const double* other = &factor_[j * n];
-        double sum = response_.at(which_[i], which_[j]);
-        if (i == j) sum += give_ * sum;
-        for (std::size_t l = 0; l < j; ++l) sum -= row[l] * other[l];
-        if (j < i) {
-          row[j] = sum / other[j];
-        } else {
-          row[i] = std::sqrt(std::max(sum, give_ * response_.at(which_[i], which_[i]) / 2));
-        }
-      }
-      double sum = -parting[which_[i]];
-      for (std::size_t l = 0; l < i; ++l) sum -= row[l] * column_[l];
-      column_[i] = sum / row[i];
+      for (std::size_t j = i; j < n; ++j) factor_.at(i, j) = response_.at(which_[i], which_[j]);
+      const double alone = factor_.at(i, i);
+      factor_.at(i, i) += give_ * alone;
+      least_[i] = give_ * alone / 2;
+      column_[i] = -parting[which_[i]];
     }
-    for (std::size_t i = n; i-- > 0;) {
-      double sum = column_[i];
-      for (std::size_t l = i + 1; l < n; ++l) sum -= factor_[l * n + i] * column_[l];
-      column_[i] = sum / factor_[i * n + i];
-    }
+    factor_.factor(least_);
+    factor_.solve(column_);
     std::fill(impulses.begin(), impulses.end(), 0.0);
     for (std::size_t i = 0; i < n; ++i) impulses[which_[i]] = column_[i];
+  }
+  /// Those that carry, as an interior point tells them.
+  [[nodiscard]] std::vector<char> sought(const std::vector<double>& parting,
+                                         const std::vector<char>& may) const {
+    return carrying_contacts(response_, parting, may, give_);
   }
   /// How fast contact `k` parts with them.
   [[nodiscard]] double parting(std::size_t k, const std::vector<double>& parting) const {
@@ -64,8 +60,9 @@ class Carried {
   const ResponseMatrix& response_;
   double give_;
   std::vector<std::size_t> which_;
-  std::vector<double> factor_;
+  std::vector<double> least_;
   std::vector<double> column_;
+  DenseCholesky factor_;
 };
 
 /// Finds which contacts carry: `carries` is where it starts, and what it finds.
@@ -79,6 +76,7 @@ std::vector<double> pivot(Carried& carried, const std::vector<double>& parting,
   std::vector<double> impulses(n, 0.0);
   std::size_t fewest = n + 1;
   int blocks = kBlocks;
+  bool sought = false;
   std::vector<std::size_t> wrong;
   for (std::size_t pass = 0; pass < 8 * n + 64; ++pass) {
     carried.solve(carries, parting, impulses);
@@ -97,6 +95,11 @@ std::vector<double> pivot(Carried& carried, const std::vector<double>& parting,
       blocks = kBlocks;
     } else if (blocks > 0) {
       --blocks;
+    }
+    if (blocks == 0 && !sought) {
+      sought = true;
+      carries = carried.sought(parting, may);
+      continue;
     }
     if (blocks == 0) wrong.erase(wrong.begin(), wrong.end() - 1);
     for (const std::size_t k : wrong) carries[k] = carries[k] != 0 ? 0 : 1;

@@ -36,7 +36,7 @@ class ResponseMatrix {
 /// Contacts give way to their impulses by the part `give` of what these do to them alone, so that
 /// there is one solution, however many contacts hold a body; that is taken back `refinements` times
 /// (proximal point method).  It is found by block pivoting and, where that goes round in circles,
-/// by changing one contact at a time.
+/// by an interior point; what rounding leaves wrong then is changed one contact at a time.
 /// Source: Judice, Pires, Comput. Oper. Res. 21 (1994) 587.
 [[nodiscard]] std::vector<double> guess_impulses(const ResponseMatrix& response,
                                                  const std::vector<double>& parting,

@@ -49,8 +49,8 @@ namespace carom::event {
 /// which nothing approaches. Where nothing is lost in an impact, all of them are longer by one
 /// factor so that its energy stays; seen from its centre of mass, if it touches nothing fixed. What
 /// vibrated in the gap so drives the group apart along the ways that are open. If there is none,
-/// the group goes back the way it came, as far as that is open; if it is not, or all of it is taken
-/// as jammed, the energy is held back, and counts as lost. Else it is lost, as after ever smaller
+/// the group goes back the way it came, as far as that is open; if it is not, or it has gone back
+/// in vain, the energy is held back, and counts as lost. Else it is lost, as after ever smaller
 /// impacts.
 /// Holds: numbering, sides, mirrors and swapped axes leave the bits as they are: every contact
 /// sees the same old velocities, every sum is rounded once. Momentum of free groups to rounding.
@@ -61,7 +61,7 @@ template <class S>
 class JointImpact {
  public:
   /// `strokes`, if there is one, is given the impulse of each contact that is counted, in turn.
-  /// `stops`: all of it is jammed.
+  /// `stops`: what reflections do not end is jammed, and does not go back.
   JointImpact(std::span<Body<S>> bodies, std::span<const Contact<S>> contacts,
               std::vector<Stroke<S>>* strokes = nullptr, bool stops = false)
       : bodies_(bodies),
@@ -77,7 +77,7 @@ class JointImpact {
 
   JointReport resolve() {
     const bool elastic = is_lossless(graph_);
-    const int most = stops_ ? 0 : most_rounds(graph_);
+    const int most = most_rounds(graph_);
     const std::vector<Vec<S>> start = elastic ? motion_.velocities() : std::vector<Vec<S>>{};
     bool stopped = false;
     while (const auto approaching = this->approaching()) {

@@ -46,8 +46,8 @@ class IslandImpact {
     std::uint64_t jammed = 0;  ///< contacts; see JointReport
     double held = 0;           ///< energy of a jammed group that nothing of it can move with
   };
-  /// What leaves falls by itself.
-  void take_back(Island& island) const;
+  /// What leaves falls by itself.  `way`: see SteppedFlight, until the next step; 0: it is now.
+  void take_back(Island& island, double way) const;
   /// A joint impact of all that touches.
   Reflection reflect(Island& island) const;
   void note_who_stays(const Island& island, IslandHits& hits) const;
@@ -78,6 +78,10 @@ class IslandImpact {
   Bounce bounce(Island& island, const IslandHits& hits, const Try& of, double part,
                 IslandChange& change) const;
   void hold_on(Island& island, const Try& of, std::vector<double>& loads) const;
+  void hold_elastic(Island& island, const Try& of, std::vector<double>& loads) const;
+  /// Balls that have left, and that something stepped which they touch closes in on.
+  [[nodiscard]] std::vector<std::size_t> who_comes_back(const Island& island,
+                                                        const SteppedFlight& next) const;
   /// What gravity owes a ball, and makes in the first half of its next flight.
   void pull(Island& island, std::size_t m, const SteppedFlight& next) const;
 

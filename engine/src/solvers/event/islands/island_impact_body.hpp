@@ -23,9 +23,10 @@ inline constexpr double kAmiss = 64;
 inline constexpr double kLeastPart = 0x1p-4;
 
 // Who leaves falls by itself until the next step: what gravity has given it ahead is taken back, or
-// given if it is owed, but for what the contacts that it presses on have taken of that.
+// given if it is owed, but for what the contacts that it presses on have taken of that: those at
+// rest, and those that close their gap just until the step, in `way` from now.
 template <class P>
-void IslandImpact<P>::take_back(Island& island) const {
+void IslandImpact<P>::take_back(Island& island, double way) const {
   const double part = motion_.whole_flight().given();
   const Vec<double> given = part * in_double(motion_.law().pull());
   std::vector<ConeBody> ahead = island.bodies;
@@ -40,8 +41,9 @@ void IslandImpact<P>::take_back(Island& island) const {
   std::vector<ConeContact> pressed;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const ConeContact& c = island.contacts[k];
-    if (island.touches[k] == 0 || !is_of_it(c.a) || !is_of_it(c.b)) continue;
-    if (std::abs(approach(island, k)) > still) continue;
+    if (!is_of_it(c.a) || !is_of_it(c.b) || (island.touches[k] == 0 && !(way > 0))) continue;
+    const double closing = island.touches[k] != 0 ? 0 : c.gap / way;
+    if (std::abs(approach(island, k) - closing) > still) continue;
     pressed.push_back(c);
     pressed.back().gap = 0;
   }
@@ -128,14 +130,14 @@ void IslandImpact<P>::put_on_walls(Island& island) const {
 // What leaves an island, and still comes nearer to what it touches, stays.
 template <class P>
 void IslandImpact<P>::hold_on(Island& island, const Try& of, std::vector<double>& loads) const {
+  if (motion_.elastic()) {
+    hold_elastic(island, of, loads);
+    return;
+  }
   for (bool more = true; more;) {
     impulses_.press(island, of.next, of.goal, loads, of.opens);
-    for (int turn = 0; turn < kMostTurns && motion_.elastic() && of.next.seconds > 0; ++turn) {
-      if (!impulses_.closes(island, of.next)) break;
-      impulses_.press(island, of.next, of.goal, loads, of.opens);
-    }
     more = false;
-    for (std::size_t k = 0; k < island.contacts.size() && !motion_.elastic(); ++k) {
+    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
       const ConeContact& c = island.contacts[k];
       const bool wall = is_at_wall(island, k);
       if (wall || island.touches[k] == 0 || !(approach(island, k) > 0)) continue;
@@ -149,6 +151,46 @@ void IslandImpact<P>::hold_on(Island& island, const Try& of, std::vector<double>
       }
     }
   }
+}
+
+// The same where energy is kept: what leaves has parted, and comes back only as gravity is ahead of
+// what is stepped.  Then all are held anew, as they would have been had it been known before.
+template <class P>
+void IslandImpact<P>::hold_elastic(Island& island, const Try& of,
+                                   std::vector<double>& loads) const {
+  for (;;) {
+    const std::vector<ConeBody> start = island.bodies;
+    impulses_.press(island, of.next, of.goal, loads, of.opens);
+    if (!(of.next.seconds > 0)) return;
+    for (int turn = 0; turn < kMostTurns && impulses_.closes(island, of.next); ++turn) {
+      impulses_.press(island, of.next, of.goal, loads, of.opens);
+    }
+    const std::vector<std::size_t> coming = who_comes_back(island, of.next);
+    if (coming.empty()) return;
+    island.bodies = start;
+    std::fill(loads.begin(), loads.end(), 0.0);
+    for (const std::size_t m : coming) {
+      island.support[m] = kStepped;
+      pull(island, m, of.next);
+    }
+  }
+}
+
+template <class P>
+std::vector<std::size_t> IslandImpact<P>::who_comes_back(const Island& island,
+                                                         const SteppedFlight& next) const {
+  std::vector<std::size_t> coming;
+  const auto steps = [&](int body) {
+    return body != kWall && island.support[static_cast<std::size_t>(body)] == kStepped;
+  };
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const ConeContact& c = island.contacts[k];
+    if (is_at_wall(island, k) || island.touches[k] == 0 || steps(c.a) == steps(c.b)) continue;
+    if (c.b == kWall || !impulses_.lasts(island, k) || !impulses_.closes(island, k, next)) continue;
+    const auto m = static_cast<std::size_t>(steps(c.a) ? c.b : c.a);
+    if (std::find(coming.begin(), coming.end(), m) == coming.end()) coming.push_back(m);
+  }
+  return coming;
 }
 
 // What comes to many is turned round ahead of its impact: at a place where it will be as fast as
@@ -279,7 +321,7 @@ IslandChange IslandImpact<P>::resolve(Island& island, const SteppedFlight& next,
                                     kSolved
                               : solved_to(hits.fastest);
   const double opens = steps ? impulses_.opens() : 0;
-  if (elastic) take_back(island);
+  if (elastic) take_back(island, steps ? 0 : next.way());
   double held = 0;
   std::vector<double> parting(island.contacts.size(), 0);
   const auto reflect = [&] {

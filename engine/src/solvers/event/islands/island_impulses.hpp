@@ -55,6 +55,9 @@ class IslandImpulses {
   /// Whether a contact that is held closes beyond touching before the step all the same, as one
   /// does that was too fast to be held before something else slowed it down.
   [[nodiscard]] bool closes(const Island& island, const SteppedFlight& next) const;
+  /// The same of one contact, whether it is held or not.
+  [[nodiscard]] bool closes(const Island& island, std::size_t contact,
+                            const SteppedFlight& next) const;
 
  private:
   /// Whether the contact is one of those that stay, and of a step.

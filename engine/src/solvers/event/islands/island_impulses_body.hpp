@@ -54,12 +54,16 @@ void IslandImpulses<P>::press(Island& island, const SteppedFlight& next, double 
 }
 
 template <class P>
+bool IslandImpulses<P>::closes(const Island& island, std::size_t contact,
+                               const SteppedFlight& next) const {
+  const double gap = std::max(island.contacts[contact].gap, 0.0);
+  return approach(island, contact) * next.way() > gap + kTouching * motion_.largest_radius();
+}
+
+template <class P>
 bool IslandImpulses<P>::closes(const Island& island, const SteppedFlight& next) const {
-  const double touching = kTouching * motion_.largest_radius();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    const double way = approach(island, k) * next.way();
-    const double gap = std::max(island.contacts[k].gap, 0.0);
-    if (way > gap + touching && holds(island, k)) return true;
+    if (closes(island, k, next) && holds(island, k)) return true;
   }
   return false;
 }
