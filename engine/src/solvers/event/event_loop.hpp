@@ -177,6 +177,8 @@ class EventLoop {
   void resolve_waiting();
   void resolve_together(std::vector<Pair> alone, const std::vector<Pair>& joint, At now);
   void settle_pressed();
+  /// The moving ones of all that touches these now, and these.
+  [[nodiscard]] std::vector<Index> with_all_that_touches(std::vector<Index> balls, At now) const;
   [[nodiscard]] std::vector<SimultaneousImpact> groups_of(std::vector<Index>& to_predict, At now);
   void resolve_alone(Index i, Index partner, At now);
   /// One impact, of balls that have been remembered: it is booked and noted.

@@ -149,6 +149,18 @@ void EventLoop<P>::resolve_together(std::vector<Pair> alone, const std::vector<P
   for (const auto& [i, partner] : alone) resolve_alone(i, partner, now);
 }
 
+// What touches these would hit their island at once, and take it back, for ever.
+template <class P>
+std::vector<Index> EventLoop<P>::with_all_that_touches(std::vector<Index> balls, At now) const {
+  std::vector<Index> all;
+  while (!balls.empty()) {
+    for (const Index m : touch_search_.from(balls, now).members) {
+      if (!motion_.fixed(disks_[m])) all.push_back(m);
+    }
+  }
+  return all;
+}
+
 // Those that share a ball become one island; what lies straight on a fixed ball, or is of none, is
 // looked at alone.
 template <class P>
@@ -162,7 +174,9 @@ void EventLoop<P>::settle_pressed() {
       return is_hit_of_island(pair.first, pair.second, now);
     };
     if (motion_.contacts_last() && std::any_of(group.pairs.begin(), group.pairs.end(), hits)) {
-      islands.push_back(std::move(group.balls));
+      islands.push_back(motion_.rules().restitution < 1
+                            ? with_all_that_touches(std::move(group.balls), now)
+                            : std::move(group.balls));
     } else {
       others.push_back(std::move(group.pairs));
     }
