@@ -15,14 +15,15 @@
 namespace carom::contact {
 namespace {
 
-constexpr double kSolved = 0x1p-20;    // without friction; with it slips are not exact, either
+constexpr double kSolved = 0x1p-20;    // of few contacts without friction
 constexpr double kSlowest = 0x1p-10;   // speeds, for which it is solved so much better
 constexpr double kStatic = 0x1p-24;    // the same for what is held at rest
 constexpr double kTolerated = 0x1p-4;  // an overlap that stays where there is friction
 constexpr double kSlip = 0x1p-5;
 constexpr double kSlipChange = 0x1p-4;  // how exactly a slip is known
 constexpr int kSlipRounds = 2;
-constexpr std::size_t kMany = 128;  // contacts: of more slips are revised, which must not jump
+// Contacts: of more slips are revised, which must not jump, and a step is solved less exactly.
+constexpr std::size_t kMany = 128;
 constexpr int kBounceRounds = 4;
 
 /// What slides slower counts as sticking.
@@ -33,6 +34,25 @@ double sticking(const IslandStep::Rule& rule) {
 template <int D>
 constexpr double tolerated() {
   return D == 3 ? kTolerated : kClosed;
+}
+
+/// What a step is exact to.  With friction slips are not exact, either; of many contacts half of
+/// the work would be for the last bits.
+template <int D>
+double exactness(std::size_t contacts) {
+  return D == 3 || contacts > kMany ? kExact : kSolved;
+}
+
+/// 1 along axes along which nothing that never moves can push an island.
+Vec2 open_axes(const std::vector<IslandContact>& contacts) {
+  bool x = true;
+  bool y = true;
+  for (const IslandContact& c : contacts) {
+    if (c.b >= 0) continue;
+    x = x && c.normal.x() == 0 && c.friction == 0;
+    y = y && c.normal.y() == 0 && c.friction == 0;
+  }
+  return {x ? 1.0 : 0.0, y ? 1.0 : 0.0};
 }
 
 }  // namespace
@@ -201,7 +221,8 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
       std::max(apart_speed(moving, rule), D == 3 ? kSlip * std::min(moving, rule.speed) : 0);
   // What hardly moves must be known as much better.
   const double slow = std::max(std::min(moving / rule.speed, 1.0), kSlowest);
-  work.goal = (D == 3 ? kExact : kSolved) * slow * rule.speed;
+  const double exact = exactness<D>(contacts.size());
+  work.goal = exact * slow * rule.speed;
   for (const IslandContact& c : contacts)
     work.rooms.push_back(closing_room(c, rule, tolerated<D>(), apart));
   outcome.solved = solve(work, island, outcome.bounced, outcome);
@@ -244,7 +265,7 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
       outcome.mean[i] = (bodies[i].before + outcome.after[i]) / 2;
     }
   }
-  keep_apart(island, plastic.after, D == 3 ? kExact : kSolved, outcome.mean);
+  keep_apart(island, plastic.after, exact, outcome.mean);
   if (!any && rule.keeps_energy) {
     // No impact that could return it: what was stopped goes back as it came.
     for (std::size_t i = 0; i < n; ++i) {
@@ -256,9 +277,9 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
   if (any) {
     hold_energy(bodies, rule, plastic, outcome);
   } else {
-    lose_gain(bodies, rule, plastic.after, outcome);
+    lose_gain(bodies, rule, plastic.after, open_axes(contacts), outcome);
   }
-  end_gain(bodies, rule, held, outcome);
+  end_gain(bodies, rule, open_axes(contacts), outcome);
 }
 
 // By the plastic step no contact closes: whose contacts do close go with it.

@@ -8,8 +8,8 @@
 
 namespace carom::contact {
 
-/// What a step of an island is exact to, of the speed that the acceleration makes in a step; better
-/// without friction.
+/// What a step of an island is exact to, of the speed that the acceleration makes in a step; that
+/// of few contacts without friction is exact to less.
 constexpr double kExact = 0x1p-14;
 
 /// A ball of an island, at the start of a step.

@@ -40,6 +40,14 @@ Vec2 mean_by_mass(const std::vector<IslandBody>& bodies, const std::vector<Vec2>
   return sum / mass;
 }
 
+// The velocity that all have in common along the axes that are open.
+Vec2 drift_of(const std::vector<IslandBody>& bodies, const std::vector<Vec2>& motion,
+              const Vec2& open) {
+  if (open == Vec2{0, 0}) return {0, 0};
+  const Vec2 mean = mean_by_mass(bodies, motion);
+  return {open.x() * mean.x(), open.y() * mean.y()};
+}
+
 // The root, not below 0, of square x^2 + linear x = value: the value is not below 0, and one of the
 // other two is above it.  Nothing in it can become too small or too large for a number.
 double larger_root(double square, double linear, double value) {
@@ -105,28 +113,29 @@ void hold_energy(const std::vector<IslandBody>& bodies, const IslandStep::Rule& 
 }
 
 void lose_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule,
-               const std::vector<Vec2>& plastic, IslandOutcome& outcome) {
+               const std::vector<Vec2>& plastic, const Vec2& open, IslandOutcome& outcome) {
   const double grown = gain(bodies, rule, outcome);
   if (!(grown > rounding_of_gain(bodies, rule))) return;
+  const Vec2 drift = drift_of(bodies, plastic, open) - drift_of(bodies, outcome.mean, open);
   double work = 0;  // of the way from the one to the other
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    work +=
-        acceleration_of(bodies[i], rule).dot(plastic[i] - outcome.mean[i]) / bodies[i].inverse_mass;
+    const Vec2 change = plastic[i] - outcome.mean[i] - drift;
+    work += acceleration_of(bodies[i], rule).dot(change) / bodies[i].inverse_mass;
   }
   const double needed = grown / rule.step;
   const double part = work > needed ? needed / work : 1;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    outcome.mean[i] += part * (plastic[i] - outcome.mean[i]);
+    outcome.mean[i] += part * (plastic[i] - outcome.mean[i] - drift);
   }
 }
 
-void end_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule, bool held,
+void end_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule, const Vec2& open,
               IslandOutcome& outcome) {
   const double rounding = rounding_of_gain(bodies, rule);
   const double grown = gain(bodies, rule, outcome);
   if (!(grown > rounding)) return;
-  const Vec2 way = held ? Vec2{0, 0} : mean_by_mass(bodies, outcome.mean);
-  const Vec2 speed = held ? Vec2{0, 0} : mean_by_mass(bodies, outcome.after);
+  const Vec2 way = drift_of(bodies, outcome.mean, open);
+  const Vec2 speed = drift_of(bodies, outcome.after, open);
   double lifting = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const double mass = 1 / bodies[i].inverse_mass;
@@ -148,7 +157,7 @@ void confine(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule
   const double rounding = rounding_of_gain(bodies, rule);
   const double grown = gain(bodies, rule, outcome);
   if (grown > rounding) {
-    end_gain(bodies, rule, true, outcome);
+    end_gain(bodies, rule, {0, 0}, outcome);
   } else if (rule.keeps_energy && grown < -rounding) {
     const double moving = moving_energy(bodies, outcome, {0, 0});
     if (moving > 0) scale_velocities(std::sqrt(1 - grown / moving), {0, 0}, outcome);

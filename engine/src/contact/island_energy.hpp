@@ -20,14 +20,15 @@ void hold_energy(const std::vector<IslandBody>& bodies, const IslandStep::Rule& 
                  const IslandOutcome& plastic, IslandOutcome& outcome);
 
 /// Moves the ways of the balls towards those by the velocities `plastic` at the end, by which
-/// nothing is gained, as little as ends a gain.
+/// nothing is gained, as little as ends a gain; what they have in common along the axes that are
+/// `open`, 1, as nothing that never moves can push them that way, stays as it is.
 void lose_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule,
-               const std::vector<Vec2>& plastic, IslandOutcome& outcome);
+               const std::vector<Vec2>& plastic, const Vec2& open, IslandOutcome& outcome);
 
 /// Ends the gain that is left: what solutions are not exact to, and what overlaps that come apart
-/// lift.  Balls that are `held` by a wall or a fixed ball go less far, and in the end slower;
-/// others do so relative to their centre of mass.
-void end_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule, bool held,
+/// lift.  The balls go less far, and in the end slower; along axes that are `open` they do so
+/// relative to their centre of mass.
+void end_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule, const Vec2& open,
               IslandOutcome& outcome);
 
 /// The balls go the ways `inside` the walls instead, which hold them: a gain is ended, and where

@@ -69,7 +69,7 @@ void take_single(const std::vector<IslandBody>& bodies, const IslandContact& c,
     if (c.b >= 0) stop(index(c.b), 1, of_b / (of_a + of_b));
     hold_energy(bodies, rule, plastic, outcome);
   }
-  end_gain(bodies, rule, c.b < 0, outcome);
+  end_gain(bodies, rule, c.b < 0 ? Vec2{0, 0} : Vec2{1, 1}, outcome);
 }
 
 }  // namespace carom::contact
