@@ -39,7 +39,8 @@ namespace carom::event {
 // Rule 3, islands.  A contact that lasts and slides (a ball on the side of another, a pile that
 // creeps) has no closed form.  Under gravity and with losses the balls of such contacts are a
 // island, which is stepped: at every whole multiple of a power of two of ticks, h, about 2^-5 of
-// the time of a fall through the largest radius of what moves, each of its balls gets g h and the
+// the time of a fall through the largest radius of what moves (a step errs by its square: of up to
+// four balls in all that lose energy in impacts 2^-12 of it), each of its balls gets g h and the
 // least impulses by which no contact closes beyond touching until the next step, friction included,
 // and flies straight till then.  So its speed is that of the middle of its flight: what joins gets
 // g h / 2, or as much of less than a step, what leaves or is hit on its way what it is owed, and
@@ -122,6 +123,9 @@ inline constexpr double kTouching = 0x1p-31;
 /// looks at together, as a part of their contact's distance.
 inline constexpr double kStep = 0x1p-5;
 inline constexpr double kNear = 0x1p-6;
+/// Rule 3: so many balls can move where steps are shortest, and how much shorter they are then.
+inline constexpr std::size_t kFewMovers = 4;
+inline constexpr int kShortestStep = -7;
 /// Rule 3: how near are those that will meet a ball of an island of many contacts before its next
 /// step, and bounce ahead of that.
 inline constexpr double kAhead = 0x1p-3;
@@ -151,6 +155,14 @@ inline constexpr int kMovesAlong = 2;
 inline constexpr int kAskedAgain = 8;
 /// And so many contacts of what moves are few: they are in order already.
 inline constexpr std::size_t kFewOfPart = 16;
+
+/// Rule 3: steps of few balls that lose energy in impacts are shorter by this power of two; of
+/// twice as many they are eight times as long.
+inline int shorter_steps(std::size_t movers) {
+  int power = kShortestStep;
+  for (std::size_t few = kFewMovers; few < movers && power < 0; few *= 2) power += 3;
+  return power < 0 ? power : 0;
+}
 
 /// Whether two that are r apart are nearer than their contact's distance and this part more of it.
 template <class S>

@@ -77,6 +77,8 @@ class LoopCore final : public Core {
   [[nodiscard]] std::size_t finish_way(Solved& way, std::size_t phase);
   [[nodiscard]] std::size_t finish_domains(std::size_t phase) requires kShares;
   [[nodiscard]] bool may_use_domains() const;
+  /// How many balls are not fixed.
+  [[nodiscard]] std::size_t movers() const;
   void work(std::size_t phase, Share share);
   [[nodiscard]] std::size_t finish_phase(std::size_t phase);
   enum class Way { loop, groups, domains };

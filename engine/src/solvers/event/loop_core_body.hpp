@@ -234,6 +234,12 @@ bool LoopCore<P>::may_use_domains() const {
 }
 
 template <class P>
+std::size_t LoopCore<P>::movers() const {
+  return static_cast<std::size_t>(std::count_if(
+      balls_.begin(), balls_.end(), [](const carom::Ball& ball) { return !ball.fixed; }));
+}
+
+template <class P>
 auto LoopCore<P>::choose_way() const -> Way {
   if (may_use_domains()) return Way::domains;
   // Where nothing takes energy and balls touch, one event loop sees what jams.
@@ -242,9 +248,7 @@ auto LoopCore<P>::choose_way() const -> Way {
   // A heap would be solved again in every window, and for each ball that falls on it.
   const bool heaps = rests_ && effects_.gravity && balls_.size() >= sharing_.balls_of_one_loop;
   // But where each ball that moves has a worker, that flies it.
-  const auto movers = std::count_if(balls_.begin(), balls_.end(),
-                                    [](const carom::Ball& ball) { return !ball.fixed; });
-  return heaps && workers_ < static_cast<std::size_t>(movers) ? Way::loop : Way::groups;
+  return heaps && workers_ < movers() ? Way::loop : Way::groups;
 }
 
 }  // namespace carom::event

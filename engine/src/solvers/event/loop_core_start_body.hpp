@@ -130,7 +130,8 @@ void LoopCore<P>::start() {
                       effects_.friction ? effects_.friction->walls : 0,
                       effects_.gravity.has_value(),
                       effects_.friction.has_value(),
-                      rests_};
+                      rests_,
+                      movers()};
   const Way way = choose_way();
   if (way == Way::loop) {
     slot_ = places_in_memory(domain_, balls_);

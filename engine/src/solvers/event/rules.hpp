@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "solvers/event/fixed_time.hpp"
@@ -34,6 +36,7 @@ struct BasicRules {
   bool falls = false;  ///< gravity is an effect, even where it is 0 at present
   bool spins = false;  ///< balls have friction and so have a spin
   bool rests = false;  ///< contacts can come to rest
+  std::size_t movers = std::numeric_limits<std::size_t>::max();  ///< balls that are not fixed
 
   [[nodiscard]] bool has_friction() const { return friction > 0 || wall_friction > 0; }
   /// Gravity pulls along this axis, which is periodic.
