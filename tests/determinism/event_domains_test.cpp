@@ -177,7 +177,7 @@ std::vector<Case> cases() {
           {"raining on fixed balls", raining_on_fixed(0, 0), 2.5},
           {"raining on fixed balls, with friction and drag", raining_on_fixed(0.4, 0.2), 2.5},
           {"falling with drag", falling_with_drag(), 1.5},
-          {"dropping on fixed balls", dropping_on_fixed(), 6}};
+          {"dropping on fixed balls", dropping_on_fixed(), 4.5}};
 }
 
 TEST(EventDomains, OfAnyNumberOfWorkersGiveTheBitsOfOneEventLoop) {
