@@ -75,7 +75,11 @@ TEST(WindowLength, GrowsWhereWindowsAreCheapAndShrinksWhereTheyAreDear) {
   EXPECT_NEAR(static_cast<double>(next(length)) / static_cast<double>(longer), 0.7, 1e-9);
   length = measured();
   (void)next(length);
-  length.learn({1, 69}, 100);  // more than 60 of 100 and 8
+  length.learn({1, 124}, 100);  // 60 of 100 and 64
+  EXPECT_NEAR(static_cast<double>(next(length)) / static_cast<double>(usual), 1.15, 1e-9);
+  length = measured();
+  (void)next(length);
+  length.learn({1, 125}, 100);  // more than that
   EXPECT_NEAR(static_cast<double>(next(length)) / static_cast<double>(usual), 0.7, 1e-9);
 }
 

@@ -60,7 +60,7 @@ class WindowLength {
   // A window is costly where more than so many passes were taken, or balls solved for each ball.
   static constexpr std::size_t kManyPasses = 4;
   static constexpr double kManySolved = 0.6;
-  static constexpr double kFewSolved = 8;
+  static constexpr double kFewSolved = 64;
   static constexpr double kShorter = 0.7;
   static constexpr double kLonger = 1.15;
   // A usual window, as a part of the time in which a ball meets another; none is so many times
