@@ -65,8 +65,7 @@ class LoopCore final : public Core {
   };
 
   [[nodiscard]] Disk flight_of(const Ball& ball) const;
-  [[nodiscard]] Moment moment(double seconds) const { return moment(seconds, scale_); }
-  [[nodiscard]] static Moment moment(const S& seconds, const typename P::Clock& clock);
+  [[nodiscard]] Moment moment(const S& seconds) const;
   /// In more digits flights are so slow that domains never have enough balls.
   static constexpr bool kShares = kIsDouble<S>;
 

@@ -49,10 +49,10 @@ LoopCore<P>::LoopCore(CoreStart start)
 }
 
 template <class P>
-auto LoopCore<P>::moment(const S& seconds, const typename P::Clock& clock) -> Moment {
+auto LoopCore<P>::moment(const S& seconds) const -> Moment {
   using std::floor;
   const S length = static_cast<S>(P::Clock::epoch());
-  const S ticks = seconds * clock.per_second();
+  const S ticks = seconds * scale_.per_second();
   const S epoch = floor(S(ticks / length));
   return {static_cast<double>(epoch), P::Clock::whole(ticks - epoch * length)};
 }

@@ -112,7 +112,7 @@ void LoopCore<P>::take_clock() {
   const S epochs = static_cast<S>(P::Clock::epoch()) * now_.epoch;
   const S seconds = scale_.seconds(now_.ticks) + epochs * scale_.tick();
   scale_ = typename P::Clock(crossing_time(domain_, effects_, balls_));
-  go_on_to(moment(seconds, scale_));
+  go_on_to(moment(seconds));
 }
 
 template <class P>

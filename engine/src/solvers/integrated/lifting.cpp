@@ -1,11 +1,11 @@
 // What it takes to put balls side by side at the end of a step.
 //
-// A ball that rests falls through what it lies on during the step, is stopped there and lifted
-// back.  The lift takes the energy that the fall gave and that the stop took: it is paid from
-// there, and what is left of it was lost.  On a curved obstacle a ball is lifted by more than it
-// fell: its motion pays for the rest, where nothing that moves too has a part in it.  Where balls
-// are lifted out of each other, or out of a cleft by a little too much, they will fall by it again:
-// what was lost before pays, as far as there is any.
+// A ball at rest falls through its support during the step, is stopped there and lifted back.  The
+// lift takes the energy that the fall gave and that the stop took: it is paid from there, and what
+// is left of it was lost.  On a curved obstacle a ball is lifted by more than it fell: its motion
+// pays for the rest, where nothing that moves too has a part in it.  Where balls are lifted out of
+// each other, or out of a cleft by a little too much, they will fall by it again: what was lost
+// before pays, as far as there is any.
 #include <algorithm>
 #include <cmath>
 

@@ -154,7 +154,7 @@ void IslandImpact<P>::hold_on(Island& island, const Try& of, std::vector<double>
 }
 
 // The same where energy is kept: what leaves has parted, and comes back only as gravity is ahead of
-// what is stepped.  Then all are held anew, as they would have been had it been known before.
+// what is stepped.  Then it is stepped, too, and all are held again from the start.
 template <class P>
 void IslandImpact<P>::hold_elastic(Island& island, const Try& of,
                                    std::vector<double>& loads) const {
