@@ -1,6 +1,3 @@
-// As in contact/block_cholesky.cpp.
-#define EIGEN_STACK_ALLOCATION_LIMIT 4096
-
 #include "accuracy/nonnegative_least_squares.hpp"
 
 #include <Eigen/SparseCholesky>

@@ -1,6 +1,3 @@
-// As in contact/factor_pattern.cpp.
-#define EIGEN_STACK_ALLOCATION_LIMIT 4096
-
 #include "contact/cone_guess.hpp"
 
 #include <Eigen/Cholesky>

@@ -1,7 +1,3 @@
-// Workers have small stacks: what Eigen would put there is larger for a few thousand bodies.  The
-// same in every source that includes it, as its functions are one.
-#define EIGEN_STACK_ALLOCATION_LIMIT 4096
-
 #include "contact/factor_pattern.hpp"
 
 #include <Eigen/OrderingMethods>
