@@ -59,6 +59,16 @@ double larger_root(double square, double linear, double value) {
   return b > 0 ? 2 * c / (b + root) : (root - b) / (2 * a);
 }
 
+// A part of the ways and velocities of an island takes the energy part^2 moving + part lifting; all
+// of them, part 1, takes more than `most`.  The largest part up to 1 that takes no more; where none
+// takes as little, that which takes least.
+double part_with(double moving, double lifting, double most) {
+  if (most >= 0) return larger_root(moving, lifting, most);
+  if (lifting >= 0) return 0;
+  const double half = -lifting / 2;
+  return std::min((half + std::sqrt(std::max(half * half + moving * most, 0.0))) / moving, 1.0);
+}
+
 }  // namespace
 
 double gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule,
@@ -141,12 +151,9 @@ void end_gain(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rul
     const double mass = 1 / bodies[i].inverse_mass;
     lifting -= mass * rule.step * acceleration_of(bodies[i], rule).dot(outcome.mean[i] - way);
   }
-  // What is left at a part of both: part^2 moving + part lifting, of which there must be no more
-  // than before.
   const double moving = moving_energy(bodies, outcome, speed);
   if (!(moving > 0 || lifting > 0)) return;
-  const double before = std::max(moving + lifting - grown, 0.0);
-  const double part = larger_root(moving, lifting, before);
+  const double part = part_with(moving, lifting, moving + lifting - grown);
   for (Vec2& v : outcome.mean) v = way + part * (v - way);
   scale_velocities(part, speed, outcome);
 }
