@@ -31,7 +31,7 @@ std::vector<Ball> resolved(const std::vector<Ball>& before, double fall, double 
   Balls balls(before);
   effects::ImpactCount count;
   Turns turns;
-  effects::GroupResolver(domain, rule, turns).resolve(balls, pairs, count);
+  effects::GroupResolver(domain, rule, turns).resolve(balls, pairs, false, count);
   return balls.to_vector();
 }
 

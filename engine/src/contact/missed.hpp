@@ -20,12 +20,13 @@ struct Bullet {
 void find_bullets(const Balls& balls, std::size_t begin, std::size_t end, double step,
                   double smallest_radius, std::vector<Bullet>& bullets);
 
-/// How many balls the bullets passed through on their ways: whom they do not touch after the step,
-/// or beyond whom they are by more than a resolved impact brings back; straight ways, sent back by
-/// solid walls without loss.
+/// How many balls the bullets, of all balls, passed through on their ways: that they do not touch
+/// after the step, or beyond which they are by more than a resolved impact brings back; straight
+/// ways, sent back by solid walls without loss.
 ///
-/// Holds: at least so many; of a way that is sent back very often, only the first pieces count.
+/// Holds: at least so many, in any order of the balls; of a way that is sent back very often, only
+/// the first pieces count.
 std::uint64_t count_missed(const Balls& balls, const Domain& domain, double step,
-                           const std::vector<Bullet>& bullets);
+                           std::vector<Bullet> bullets);
 
 }  // namespace carom

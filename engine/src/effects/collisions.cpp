@@ -54,9 +54,11 @@ void pay(ContactGroup& group, const Vec2& acceleration, double work) {
 
 }  // namespace
 
-double GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactCount& count) const {
+double GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, bool again,
+                              ImpactCount& count) const {
   thread_local ContactGroup group;
-  group.load(balls, pairs, domain_, rule_.step);
+  group.load(balls, pairs, domain_, again ? 0 : rule_.step);
+  if (again) group.touch_all();
   count.lost = 0;
   const Vec2& acceleration = rule_.acceleration;
   const bool ended = sweep(group, kImpactPasses, [&](Contact& contact) {
@@ -76,6 +78,7 @@ double GroupResolver::resolve(Balls& balls, std::span<const Pair> pairs, ImpactC
   for (const Contact& contact : group.contacts) {
     if (contact.touching && group.apart(contact, domain_).dot(contact.line.r) < 0) ++count.missed;
   }
+  count.push = std::max(count.push, group.farthest_push());
   group.store(balls, domain_, turns_);
   return count.lost;
 }

@@ -30,6 +30,7 @@ struct ImpactCount {
   double friction_seconds = 0;
   ImpactLog log;
   double lost = 0;  ///< energy, by the group that is being resolved
+  double push = 0;  ///< the farthest that a ball was moved apart since this was set to 0
 };
 
 /// Gives the balls of one group of touching pairs their new velocities and moves them apart.
@@ -49,8 +50,9 @@ class GroupResolver {
   GroupResolver(const GroupResolver&) = delete;
   GroupResolver& operator=(const GroupResolver&) = delete;
 
-  /// Gives the energy that the impacts take.
-  double resolve(Balls& balls, std::span<const Pair> group, ImpactCount& count) const;
+  /// Gives the energy that the impacts take.  `again`: some of the pairs were resolved in this step
+  /// before, and all of them touch still.
+  double resolve(Balls& balls, std::span<const Pair> group, bool again, ImpactCount& count) const;
 
  private:
   const Domain& domain_;

@@ -140,6 +140,18 @@ Vec2 ContactGroup::apart(const Contact& contact, const Domain& domain) const {
   return nearest_image(members[contact.b].position - members[contact.a].position, domain);
 }
 
+void ContactGroup::touch_all() {
+  for (Contact& contact : contacts) contact.touching = true;
+}
+
+double ContactGroup::farthest_push() const {
+  double square = 0;
+  for (const Member& member : members) {
+    square = std::max(square, (member.position - member.start).squaredNorm());
+  }
+  return std::sqrt(square);
+}
+
 double ContactGroup::kinetic_energy() const {
   double sum = 0;
   for (const Member& member : members) sum += member.mass * member.velocity.squaredNorm() / 2;

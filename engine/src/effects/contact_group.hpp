@@ -66,6 +66,9 @@ class ContactGroup {
 
   /// From a to b as they are now.
   [[nodiscard]] Vec2 apart(const Contact& contact, const Domain& domain) const;
+  /// All pairs count as touching, those too that were moved apart just now.
+  void touch_all();
+  [[nodiscard]] double farthest_push() const;   ///< of a member since loading
   [[nodiscard]] double kinetic_energy() const;  ///< that of the spins, if there are any, too
   /// The work that the moves since loading have done against a uniform acceleration.
   [[nodiscard]] double lifting_work(const Vec2& acceleration) const;

@@ -43,14 +43,7 @@ bool IslandRounds::join(std::vector<Pair>& touching) {
 void IslandRounds::find_far_overlaps(std::vector<Pair>& touching, std::vector<Pair>& fresh) {
   const double slack = 2 * contact::LastingContacts::kNear * rules_.smallest_radius;
   if (!(2 * contacts_.farthest_push() >= slack)) return;
-  if (pairs_.uses_list()) {
-    // The list has been looked at since the flight, not since the pushes.
-    for (std::size_t i = 0; i < balls_.size(); i += Flight::kBlock) {
-      pairs_.note_moves(0, i, std::min(i + Flight::kBlock, balls_.size()));
-    }
-    if (pairs_.is_stale()) pairs_.build(rules_.step);
-  }
-  const std::vector<Pair> found = pairs_.all_overlapping();
+  const std::vector<Pair> found = pairs_.overlapping_after_pushes(rules_.step);
   const std::size_t crossing = fresh.size();
   std::set_difference(found.begin(), found.end(), touching.begin(), touching.end(),
                       std::back_inserter(fresh));

@@ -94,6 +94,17 @@ double PairSearch::find_touching(Share share, std::vector<Pair>& touching) const
   return carom::find_touching(pairs, begin, end, balls_, domain_.period, stretch_, touching);
 }
 
+std::vector<Pair> PairSearch::overlapping_after_pushes(double step) {
+  if (uses_list()) {
+    // The list has been looked at since the flight, not since the pushes.
+    for (std::size_t i = 0; i < balls_.size(); i += Flight::kBlock) {
+      note_moves(0, i, std::min(i + Flight::kBlock, balls_.size()));
+    }
+    if (is_stale()) build(step);
+  }
+  return all_overlapping();
+}
+
 std::vector<Pair> PairSearch::all_within(double stretch) const {
   std::vector<Pair> found;
   const auto look = [&](const PairList& pairs) {

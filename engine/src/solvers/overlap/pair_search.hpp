@@ -58,6 +58,8 @@ class PairSearch {
   /// All pairs that touch, or, without stretch, overlap, in rising order.
   [[nodiscard]] std::vector<Pair> all_touching() const { return all_within(stretch_); }
   [[nodiscard]] std::vector<Pair> all_overlapping() const { return all_within(1); }
+  /// The same after balls were pushed: the list is renewed where they have gone too far for it.
+  [[nodiscard]] std::vector<Pair> overlapping_after_pushes(double step);
 
  private:
   // What one worker writes, apart from what others write.

@@ -48,7 +48,7 @@ std::vector<Phase> OverlapSolver::phases() {
   if (plan_.shared_resolution) {
     resolve_ = next();
     phases.push_back({"pair_resolution", [this](Share share) { resolve(share); },
-                      [this] { return rules_.contacts_last ? after_islands() : after_impacts(); }});
+                      [this] { return rules_.contacts_last ? after_islands() : after_groups(); }});
   }
   if (plan_.attraction) {
     attract_ = next();
@@ -94,9 +94,11 @@ void OverlapSolver::fly(Share share) {
 
 std::size_t OverlapSolver::after_flight() {
   if (!rules_.collides) return rules_.contacts_last ? form_islands() : after_impacts();
+  std::vector<Bullet> bullets;
   for (const overlap::Work& work : work_) {
-    if (!work.bullets.empty()) missed_ += count_missed(balls_, domain_, rules_.step, work.bullets);
+    bullets.insert(bullets.end(), work.bullets.begin(), work.bullets.end());
   }
+  if (!bullets.empty()) missed_ += count_missed(balls_, domain_, rules_.step, std::move(bullets));
   if (!pairs_.uses_list() || !pairs_.is_stale()) return detect_;
   const Stopwatch stopwatch(timed(), work_.front().seconds.of<Collisions>());
   if (search_ && work_.size() > 1 && balls_.size() >= overlap::Plan::kSharedSearch) {
@@ -128,22 +130,31 @@ std::size_t OverlapSolver::after_detection() {
     std::sort(touching_.begin(), touching_.end());
   }
   if (rules_.contacts_last) return form_islands();
-  return touching_.empty() ? after_impacts() : resolve_groups();
+  if (touching_.empty()) return after_impacts();
+  group_rounds_.begin(touching_);
+  return resolve_groups();
 }
 
 std::size_t OverlapSolver::resolve_groups() {
+  for (overlap::Work& work : work_) work.impacts.push = 0;
   groups_.sort(touching_, balls_.size());
   const bool share_out = work_.size() > 1 && groups_.pairs() >= overlap::Plan::kSharedPairs &&
                          groups_.largest() * 2 < groups_.pairs();
   if (resolve_ && share_out) return *resolve_;
   for (std::size_t g = 0; g < groups_.count(); ++g) resolve_group(g, work_.front().impacts);
-  return after_impacts();
+  return after_groups();
+}
+
+std::size_t OverlapSolver::after_groups() {
+  double push = 0;
+  for (const overlap::Work& work : work_) push = std::max(push, work.impacts.push);
+  return group_rounds_.join(balls_.size(), push, touching_) ? resolve_groups() : after_impacts();
 }
 
 // Each ball is in one group: what a group loses is noted with its first.
 void OverlapSolver::resolve_group(std::size_t group, effects::ImpactCount& count) {
   const std::span<const Pair> pairs = groups_.group(group);
-  const double lost = resolver_.resolve(balls_, pairs, count);
+  const double lost = resolver_.resolve(balls_, pairs, group_rounds_.joined(), count);
   if (!losses_.by_ball.empty()) losses_.by_ball[pairs.front().first] += lost;
 }
 

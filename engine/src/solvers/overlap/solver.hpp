@@ -8,6 +8,7 @@
 #include "contact/groups.hpp"
 #include "contact/lasting_contacts.hpp"
 #include "effects/collisions.hpp"
+#include "solvers/overlap/group_rounds.hpp"
 #include "solvers/overlap/island_rounds.hpp"
 #include "solvers/overlap/pair_search.hpp"
 #include "solvers/overlap/plan.hpp"
@@ -84,6 +85,7 @@ class OverlapSolver final : public Solver {
   [[nodiscard]] std::size_t after_flight();
   [[nodiscard]] std::size_t after_detection();
   [[nodiscard]] std::size_t resolve_groups();
+  [[nodiscard]] std::size_t after_groups();
   [[nodiscard]] std::size_t form_islands();
   [[nodiscard]] std::size_t resolve_islands();
   [[nodiscard]] std::size_t after_islands();
@@ -122,6 +124,7 @@ class OverlapSolver final : public Solver {
   overlap::PairSearch pairs_;
   effects::GroupResolver resolver_{domain_, rules_.collision, turns_};
   contact::LastingContacts contacts_{domain_, rules_.lasting, turns_};
+  overlap::GroupRounds group_rounds_{rules_, pairs_};
   overlap::IslandRounds rounds_{balls_, rules_, pairs_, contacts_};
   overlap::StepFlight flight_{balls_, domain_, rules_, contacts_, pairs_, losses_, turns_};
   std::vector<std::uint32_t> out_;
