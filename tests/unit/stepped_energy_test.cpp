@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "contact/contact_graph.hpp"
 #include "solvers/event/support.hpp"
 
 namespace carom::event::stepped_energy_test {
@@ -52,6 +53,8 @@ TEST(SteppedEnergy, IsKept) {
       island.bodies.push_back({{normal(random), normal(random)}, normal(random), 1});
       island.support.push_back(k < 3 ? kStepped : 0);
     }
+    // Walls far away: nothing has a drift of its own.
+    island.contacts = {{0, kWall, {1, 0}, 1e9, 0}, {0, kWall, {0, 1}, 1e9, 0}};
     for (const bool keeps : {false, true}) {
       const SteppedEnergy rule = energy(keeps);
       IslandMotion kept = island;
@@ -76,6 +79,33 @@ TEST(SteppedEnergy, IsKept) {
   }
   EXPECT_GT(slower, 50);
   EXPECT_GT(faster, 50);
+}
+
+// On a floor of ice: what balls have in common along it stays, and what each has beside that gets
+// less; where there is less energy than that takes, all do.
+TEST(SteppedEnergy, IsKeptBesideADriftAlongIce) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  const auto drift = [](const IslandMotion& island) {
+    return (island.bodies[0].velocity.x + 2 * island.bodies[1].velocity.x) / 3;
+  };
+  for (int round = 0; round < 100; ++round) {
+    IslandMotion island = of_two(kStepped, kStepped);
+    island.bodies = {{{normal(random), normal(random)}, 0, 1},
+                     {{normal(random), normal(random)}, 0, 0.5}};
+    island.contacts = {{0, kWall, {0, -1}, 0, 0}, {0, 1, {0.6, 0.8}, 0, 0}};
+    const SteppedEnergy rule({kPull, false, 0x1p-31, 0x1p-20, true});
+    const double u = drift(island);
+    IslandMotion kept = island;
+    EXPECT_TRUE(rule.keep(kept, 3 * u * u + 0.01, {0.01}, false) ||
+                rule.of(island, {0.01}).all() < 3 * u * u + 0.01);
+    EXPECT_NEAR(drift(kept), u, 1e-14);
+    EXPECT_LE(rule.of(kept, {0.01}).all(), 3 * u * u + 0.01 + 1e-13);
+    kept = island;
+    EXPECT_TRUE(rule.keep(kept, 2 * u * u, {0.01}, false));
+    EXPECT_LT(std::abs(drift(kept)), std::abs(u));
+    EXPECT_NEAR(rule.of(kept, {0.01}).all(), 2 * u * u, 1e-13);
+  }
 }
 
 // On a slope of 30 degrees, under a pull of 2, a ball gets a h / 2 = h / 2 in the first half of its

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -53,6 +54,19 @@ Vec2 open_axes(const std::vector<IslandContact>& contacts) {
     y = y && c.normal.y() == 0 && c.friction == 0;
   }
   return {x ? 1.0 : 0.0, y ? 1.0 : 0.0};
+}
+
+/// Whether all bodies are pulled to the same side along an axis that is open: no force holds that,
+/// however little it is beyond rounding.
+bool slides(const std::vector<IslandBody>& bodies, const IslandStep::Rule& rule, const Vec2& open) {
+  constexpr double kRounding = std::numeric_limits<double>::epsilon();
+  const auto to_side = [&](int axis, double side) {
+    return open[axis] != 0 && std::all_of(bodies.begin(), bodies.end(), [&](const IslandBody& b) {
+             const Vec2 pull = acceleration_of(b, rule);
+             return side * pull[axis] > kRounding * (std::abs(pull.x()) + std::abs(pull.y()));
+           });
+  };
+  return to_side(0, 1) || to_side(0, -1) || to_side(1, 1) || to_side(1, -1);
 }
 
 }  // namespace
@@ -274,12 +288,13 @@ void IslandStep::take(Work<D>& work, const Island& island, IslandOutcome& outcom
     }
     any = true;
   }
+  const Vec2 open = open_axes(contacts);
   if (any) {
     hold_energy(bodies, rule, plastic, outcome);
   } else {
-    lose_gain(bodies, rule, plastic.after, open_axes(contacts), outcome);
+    lose_gain(bodies, rule, plastic.after, open, outcome);
   }
-  end_gain(bodies, rule, open_axes(contacts), outcome);
+  end_gain(bodies, rule, open, outcome);
 }
 
 // By the plastic step no contact closes: whose contacts do close go with it.
@@ -346,6 +361,7 @@ void IslandStep::take(const std::vector<IslandBody>& bodies,
 
 bool IslandStep::holds(const std::vector<IslandBody>& bodies,
                        const std::vector<IslandContact>& contacts, bool spins, const Rule& rule) {
+  if (slides(bodies, rule, open_axes(contacts))) return false;
   std::vector<IslandBody> still = bodies;
   for (IslandBody& body : still) {
     body.before = {0, 0};

@@ -63,20 +63,24 @@ namespace carom::event {
 // with these.  Two that will meet by then bounce at once, so fast as they will be when they are
 // back where they are, or are held from closing if they would not get there, and so are near ones
 // that this drives together.  A ball that nothing in the island carries leaves it. An island gains
-// no energy, but what the turning normals of its contacts took before.  Where nothing loses energy
-// along a normal, a step holds only what approaches no faster than 2 h (g + u^2 / s), u the slip,
-// as gravity and the turning normal of a contact that lasts make it, u h / s being 2^-8 at most;
-// what comes faster, or to a wall, is an impact at its own time, and so is what a hit between steps
-// leaves closing by more than its gap until the next one.  What presses in a step that would hold
-// what moves, as one that closes a wedge does, is a joint impact.
+// no energy, but what the turning normals of its contacts took before; where balls lose energy,
+// what ends a gain leaves their drift along an axis along which nothing that never moves can push
+// them.  Where nothing loses energy along a normal, a step holds only what approaches no faster
+// than 2 h (g + u^2 / s), u the slip, as gravity and the turning normal of a contact that lasts
+// make it, u h / s being 2^-8 at most; what comes faster, or to a wall, is an impact at its own
+// time, and so is what a hit between steps leaves closing by more than its gap until the next one.
+// What presses in a step that would hold what moves, as one that closes a wedge does, is a joint
+// impact.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of
-// up to 16 balls: what is pulled, by 2^-22 g, moves on.  A ball on a single fixed one rests only
-// straight above it.  While an island rests it costs nothing.  In an island of more than
-// kFewOfHeap contacts each ball rests by itself: one that was so slow before the step, too, and
-// from which every faster one is more than two contacts away.  It then stands as walls do, until a
-// faster one comes as near, or one of every eight steps, which asks all, shows that it moves.
+// up to 16 balls: what is pulled, by 2^-22 g, moves on.  Where balls lose energy, so does, by
+// however little, what is pulled along walls without friction and touches nothing else that never
+// moves.  A ball on a single fixed one rests only straight above it.  While an island rests it
+// costs nothing.  In an island of more than kFewOfHeap contacts each ball rests by itself: one that
+// was so slow before the step, too, and from which every faster one is more than two contacts away.
+// It then stands as walls do, until a faster one comes as near, or one of every eight steps, which
+// asks all, shows that it moves.
 //
 // Rule 5, waking.  An island at rest moves again when a ball that is not of it hits one that is,
 // when one of it is removed, or when gravity is set.

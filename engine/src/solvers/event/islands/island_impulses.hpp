@@ -65,9 +65,9 @@ class IslandImpulses {
 
   const Motion<P>& motion_;
   const JamLevel& jam_;
-  SteppedEnergy energy_{{in_double(motion_.law().pull()), motion_.keeps_energy(),
-                         kTouching* motion_.largest_radius(),
-                         kStill* kStill* static_cast<double>(motion_.speed_of_step())}};
+  SteppedEnergy energy_{
+      {in_double(motion_.law().pull()), motion_.keeps_energy(), kTouching* motion_.largest_radius(),
+       kStill* kStill* static_cast<double>(motion_.speed_of_step()), !motion_.elastic_impacts()}};
 };
 
 }  // namespace carom::event

@@ -53,6 +53,7 @@ class IslandStepping {
   struct Pressed {
     std::vector<double> loads;  ///< normal impulses, by contact
     std::vector<char> lasts;    ///< by contact: it is one of the step
+    std::vector<char> presses;  ///< by contact: it closes, and can take a load
   };
   /// Gravity acts, and no contact closes.  `stands`: by ball: it is held, whatever comes.
   Pressed press(Island& island, const std::vector<char>& stands, const Scale& scale) const;
@@ -68,10 +69,11 @@ class IslandStepping {
   /// `before`: as the balls moved before the step.
   [[nodiscard]] Carrying carrying(const Island& island, const std::vector<ConeBody>& before,
                                   const Pressed& pressed, const Scale& scale) const;
-  /// By ball: it does not come to rest.
+  /// By ball: it does not come to rest.  `pulled`: by ball: nothing can hold it.
   [[nodiscard]] std::vector<char> moving(const Island& island, const std::vector<ConeBody>& before,
                                          const Pressed& pressed, Carrying& carrying,
-                                         const std::vector<char>& stands, const Scale& scale) const;
+                                         const std::vector<char>& stands,
+                                         const std::vector<char>& pulled, const Scale& scale) const;
   /// Rest, or not, or leave, as `ends` says they move.  `stays`: by ball.  Gives how many contacts
   /// have come to rest.
   std::uint64_t give_support(Island& island, const std::vector<ConeBody>& ends,
@@ -89,7 +91,7 @@ class IslandStepping {
                                                double span);
   /// All of them rest where none moved before the step or after it.
   static void rest_if_stopped(Island& island, const std::vector<ConeBody>& before,
-                              const Scale& scale);
+                              const std::vector<char>& pulled, const Scale& scale);
 
   const Motion<P>& motion_;
   const HugeVector<Disk>& disks_;

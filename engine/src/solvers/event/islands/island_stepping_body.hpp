@@ -12,6 +12,7 @@
 #include "solvers/event/islands/island_part.hpp"
 #include "solvers/event/islands/island_rest.hpp"
 #include "solvers/event/islands/island_stepping.hpp"
+#include "solvers/event/islands/open_axes.hpp"
 #include "solvers/event/islands/put_on_wall.hpp"
 
 namespace carom::event {
@@ -45,7 +46,7 @@ template <class P>
 auto IslandStepping<P>::press(Island& island, const std::vector<char>& stands,
                               const Scale& scale) const -> Pressed {
   const std::size_t contacts = island.contacts.size();
-  Pressed pressed{std::vector<double>(contacts, 0), std::vector<char>(contacts, 0)};
+  Pressed pressed{std::vector<double>(contacts, 0), std::vector<char>(contacts, 0), {}};
   for (std::size_t k = 0; k < contacts; ++k) pressed.lasts[k] = impulses_.lasts(island, k) ? 1 : 0;
   IslandPart part(island, stands, pressed.lasts);
   for (std::size_t k = 0; k < part.bodies.size(); ++k) {
@@ -62,21 +63,29 @@ auto IslandStepping<P>::press(Island& island, const std::vector<char>& stands,
   for (std::size_t k = 0; k < pushes.size(); ++k) {
     pressed.loads[part.contact_number[k]] = pushes[k];
   }
+  for (std::size_t k = 0; k < contacts; ++k) {
+    pressed.presses.push_back(pressed.loads[k] > 0 || island.touches[k] != 0 ? 1 : 0);
+  }
   return pressed;
 }
 
-// Of what gravity and the contacts have changed in this step the part that was owed.
+// Of what gravity and the contacts have changed in this step the part that was owed.  Where nothing
+// that never moves takes up what balls give each other, each keeps all of that.
 template <class P>
 std::vector<ConeBody> IslandStepping<P>::at_end(const Island& island,
                                                 const std::vector<ConeBody>& before,
                                                 const Scale& scale) const {
   std::vector<ConeBody> ends = before;
+  const OpenAxes open = motion_.elastic_impacts() ? OpenAxes{false, false} : open_axes(island);
   for (std::size_t m = 0; m < ends.size(); ++m) {
     const double owed = island.gravity[m].owed;
     if (owed == 0) continue;
     const double part = owed / (owed + scale.next.given());
     const ConeBody& after = island.bodies[m];
     ends[m].velocity = ends[m].velocity + part * (after.velocity - ends[m].velocity);
+    const Vec<double> whole = after.velocity - scale.next.given() * scale.pull;
+    if (open.x) ends[m].velocity.x = whole.x;
+    if (open.y) ends[m].velocity.y = whole.y;
     ends[m].turning += part * (after.turning - ends[m].turning);
   }
   return ends;
@@ -121,6 +130,7 @@ std::vector<char> IslandStepping<P>::moving(const Island& island,
                                             const std::vector<ConeBody>& before,
                                             const Pressed& pressed, Carrying& carrying,
                                             const std::vector<char>& stands,
+                                            const std::vector<char>& pulled,
                                             const Scale& scale) const {
   const std::size_t n = island.members.size();
   const bool large = !motion_.elastic() && is_large(island);
@@ -152,15 +162,14 @@ std::vector<char> IslandStepping<P>::moving(const Island& island,
     if (moves[m] != 0 || stands[m] != 0) sets_move[find(m)] = 1;
   }
   const std::vector<char> moved = sets_move;
-  std::vector<char> presses(island.contacts.size(), 0);
-  for (std::size_t k = 0; k < presses.size(); ++k) {
-    presses[k] = pressed.loads[k] > 0 || island.touches[k] != 0 ? 1 : 0;
-  }
-  hold_still(island, {scale.pull, scale.next.way(), scale.speed}, carrying.sets, presses,
+  hold_still(island, {scale.pull, scale.next.way(), scale.speed}, carrying.sets, pressed.presses,
              sets_move);
+  for (std::size_t m = 0; m < n; ++m) {
+    if (pulled[m] != 0) sets_move[find(m)] = 1;
+  }
   if (large) {
     for (std::size_t m = 0; m < n; ++m) {
-      if (sets_move[find(m)] != moved[find(m)]) moves[m] = 1;
+      if (sets_move[find(m)] != moved[find(m)] || pulled[m] != 0) moves[m] = 1;
     }
     const std::vector<char> fast = moves;
     spread_motion(island, kMovesAlong, moves);
@@ -273,11 +282,11 @@ double IslandStepping<P>::given_by_parting(const Island& island,
 // had been left unsolved: balls that gravity moves gain what they fall.
 template <class P>
 void IslandStepping<P>::rest_if_stopped(Island& island, const std::vector<ConeBody>& before,
-                                        const Scale& scale) {
+                                        const std::vector<char>& pulled, const Scale& scale) {
   const double most = kHeld / 2 * scale.speed;
   for (std::size_t m = 0; m < before.size(); ++m) {
     if (island.support[m] == kResting) continue;
-    if (!is_slow(before[m], most) || !is_slow(island.bodies[m], most)) return;
+    if (pulled[m] != 0 || !is_slow(before[m], most) || !is_slow(island.bodies[m], most)) return;
   }
   for (std::size_t m = 0; m < before.size(); ++m) {
     if (island.support[m] != kStepped) continue;
@@ -308,7 +317,10 @@ IslandChange IslandStepping<P>::step(Island& island, bool whole) const {
     pressed = press(island, stands, scale);
   }
   Carrying carrying = this->carrying(island, before, pressed, scale);
-  const std::vector<char> moves = moving(island, before, pressed, carrying, stands, scale);
+  const std::vector<char> pulled = motion_.elastic_impacts()
+                                       ? std::vector<char>(before.size(), 0)
+                                       : pulled_along(island, scale.pull, pressed.presses);
+  const std::vector<char> moves = moving(island, before, pressed, carrying, stands, pulled, scale);
   const double given =
       given_by_parting(island, before, pressed.loads, scale.still, scale.next.seconds);
   const std::vector<ConeBody> ends = at_end(island, before, scale);
@@ -323,7 +335,7 @@ IslandChange IslandStepping<P>::step(Island& island, bool whole) const {
   if (energy.keep(island, keeps, scale.next, impulses_.loses())) {
     impulses_.keep_gaps(island, keeps, scale.next, scale.goal, pressed.loads);
   }
-  if (!motion_.elastic()) rest_if_stopped(island, before, scale);
+  if (!motion_.elastic()) rest_if_stopped(island, before, pulled, scale);
   const double lost = energy.loss(island, had, scale.next);
   if (energy.is_held(island, lost)) change.counts.jammed = 1;
   change.carried = {std::move(pressed.loads), std::vector<char>(island.contacts.size(), 0), lost};

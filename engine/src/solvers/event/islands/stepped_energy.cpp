@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "numbers/exact_sum.hpp"
+#include "solvers/event/islands/open_axes.hpp"
 #include "solvers/event/support.hpp"
 
 namespace carom::event {
@@ -15,6 +16,10 @@ namespace {
 constexpr double kStarts = 4;
 /// What is slowed down by more has been left out too much of.
 constexpr double kLeast = 0.5;
+/// A drift may have more energy than there is by this part of what gravity makes until the next
+/// step, and by this part of all, which is rounding.
+constexpr double kDrifts = 0x1p-11;
+constexpr double kRounded = 0x1p-50;
 
 /// Adds twice the energy of a ball's motion; takes it off where `sign` is -1.
 void add_motion(ExactSum<double>& sum, const ConeBody& body, double sign) {
@@ -22,6 +27,18 @@ void add_motion(ExactSum<double>& sum, const ConeBody& body, double sign) {
   sum.add(mass * (body.velocity.x * body.velocity.x));
   sum.add(mass * (body.velocity.y * body.velocity.y));
   sum.add(mass / 2 * (body.turning * body.turning));
+}
+
+/// What solves moving a^2 - ahead a = rest; 0 where nothing does.
+struct Factors {
+  double larger = 0;
+  double smaller = 0;
+};
+Factors factors(double moving, double ahead, double rest) {
+  const double half = ahead / 2;
+  const double square = half * half + moving * rest;
+  if (!(square > 0)) return {};
+  return {(half + std::sqrt(square)) / moving, (half - std::sqrt(square)) / moving};
 }
 
 }  // namespace
@@ -130,47 +147,81 @@ double SteppedEnergy::hold(IslandMotion& island, double lost) const {
   return left.rounded();
 }
 
+auto SteppedEnergy::drift_of(const IslandMotion& island, const SteppedFlight& next) const -> Drift {
+  const OpenAxes open = rules_.drifts ? open_axes(island) : OpenAxes{false, false};
+  if (!open.x && !open.y) return {};
+  ExactSum<double> mass;
+  ExactSum<double> x;
+  ExactSum<double> y;
+  for (std::size_t m = 0; m < island.bodies.size(); ++m) {
+    if (island.support[m] != kStepped) continue;
+    const ConeBody& body = island.bodies[m];
+    mass.add(1 / body.inverse_mass);
+    x.add(body.velocity.x / body.inverse_mass);
+    y.add(body.velocity.y / body.inverse_mass);
+  }
+  const double all = mass.rounded();
+  if (!(all > 0)) return {};
+  const Vec<double>& g = rules_.pull;
+  const Vec<double> u = open.along({x.rounded() / all, y.rounded() / all});
+  return {u, all * (dot(u, u) - 2 * next.ahead(0) * dot(g, u)),
+          kDrifts * all * dot(g, g) * (next.seconds * next.seconds)};
+}
+
+bool SteppedEnergy::slow_down(IslandMotion& island, double had, const SteppedFlight& next) const {
+  const Parts now = of(island, next);
+  if (!(now.all() > had) || !(now.stepped > 0)) return false;
+  Drift drift = drift_of(island, next);
+  const double rounding = kRounded * (now.stepped + std::abs(now.ahead) + now.others);
+  if (drift.energy > had - now.others + drift.most + rounding) drift = {};
+  IslandMotion seen = island;
+  for (ConeBody& body : seen.bodies) body.velocity = body.velocity - drift.velocity;
+  const Parts rest = of(seen, next);
+  const double a =
+      std::max(factors(rest.stepped, rest.ahead, had - now.others - drift.energy).larger, 0.0);
+  if (!(a < 1)) return false;
+  for (std::size_t m = 0; m < island.bodies.size(); ++m) {
+    if (island.support[m] != kStepped) continue;
+    ConeBody& body = island.bodies[m];
+    body.velocity = drift.velocity + a * seen.bodies[m].velocity;
+    body.turning = a * body.turning;
+  }
+  return true;
+}
+
 bool SteppedEnergy::keep(IslandMotion& island, double had, const SteppedFlight& next,
                          bool gives_up) const {
+  if (!rules_.keeps) return slow_down(island, had, next);
   Parts now = of(island, next);
-  const bool keeps = rules_.keeps;
-  if (keeps) had -= 2 * island.lifted;
-  const bool only_less = !keeps || gives_up;
-  const double moving = keeps ? now.stepped + now.others : now.stepped;
-  if ((only_less && !(now.all() > had)) || !(moving > 0)) return false;
-  if (keeps && moving < std::numeric_limits<double>::epsilon() * (had - now.left_out)) return false;
+  had -= 2 * island.lifted;
+  const double moving = now.stepped + now.others;
+  if ((gives_up && !(now.all() > had)) || !(moving > 0)) return false;
+  if (moving < std::numeric_limits<double>::epsilon() * (had - now.left_out)) return false;
   double a = factor(island, now, had, next);
-  if (keeps && a < kLeast && now.left_out > 0) {
+  if (a < kLeast && now.left_out > 0) {
     // There is not so much: the flights are counted with more.
     const double part = std::clamp((had - now.all()) / now.left_out + 1, 0.0, 1.0);
     for (double& energy : island.left_out) energy *= part;
     now = of(island, next);
     a = part > 0 ? 1 : factor(island, now, had, next);
   }
-  if (keeps ? a == 1 : !(a < 1)) return false;
-  for (std::size_t m = 0; m < island.bodies.size(); ++m) {
-    if (!keeps && island.support[m] != kStepped) continue;
-    ConeBody& body = island.bodies[m];
+  if (a == 1) return false;
+  for (ConeBody& body : island.bodies) {
     body.velocity = a * body.velocity;
     body.turning = a * body.turning;
   }
   return true;
 }
 
+// The larger factor, or the one next to 1 if both are positive.
 double SteppedEnergy::factor(const IslandMotion& island, const Parts& now, double had,
                              const SteppedFlight& next) const {
-  const bool keeps = rules_.keeps;
-  const double moving = keeps ? now.stepped + now.others : now.stepped;
-  const double rest = keeps ? had - now.left_out : had - now.others;
-  // moving a^2 - ahead a = rest, for the largest a, or the one next to 1 if both are positive
-  const double half = now.ahead / 2;
-  const double square = half * half + moving * rest;
-  double a = square > 0 ? (half + std::sqrt(square)) / moving : 0.0;
-  if (keeps && square > 0) {
-    const double other = (half - std::sqrt(square)) / moving;
-    const bool nearer = std::abs(other - 1) < std::abs(a - 1);
-    // What begins to slide goes faster than gravity makes it; what is only pressed does not.
-    if (nearer && (other > 0 || (a > kStarts && !can_go(island, a, next.way())))) a = other;
+  const Factors both = factors(now.stepped + now.others, now.ahead, had - now.left_out);
+  double a = both.larger;
+  const bool nearer = std::abs(both.smaller - 1) < std::abs(a - 1);
+  // What begins to slide goes faster than gravity makes it; what is only pressed does not.
+  if (nearer && (both.smaller > 0 || (a > kStarts && !can_go(island, a, next.way())))) {
+    a = both.smaller;
   }
   return std::max(a, 0.0);
 }

@@ -23,6 +23,7 @@ class SteppedEnergy {
     bool keeps = false;   ///< nothing loses energy at all
     double touching = 0;  ///< balls so near touch
     double still = 0;     ///< balls so slow are at rest, where nothing loses energy
+    bool drifts = false;  ///< what nothing holds goes on along an axis as gravity makes it
   };
   explicit SteppedEnergy(const Rules& rules) : rules_(rules) {}
 
@@ -59,9 +60,11 @@ class SteppedEnergy {
                             const SteppedFlight& next) const;
 
   /// What is left unsolved must not make energy: those that are stepped are slowed down to what
-  /// there was.  Where nothing loses any, all of the island keeps what it had, by one factor; if it
-  /// `gives_up`, it may have less.  Whether anything is changed.  Where what is left out would slow
-  /// the island down by much, less is; what has no way to go is not driven by its rounding.
+  /// there was, but for their drift along axes along which nothing holds them, which has what
+  /// gravity gave it.  Where nothing loses any, all of the island keeps what it had, by one factor;
+  /// if it `gives_up`, it may have less.  Whether anything is changed.  Where what is left out
+  /// would slow the island down by much, less is; what has no way to go is not driven by its
+  /// rounding.
   bool keep(IslandMotion& island, double had, const SteppedFlight& next, bool gives_up) const;
 
   /// Where nothing loses energy: what an island has less than it had, as none of it can move with
@@ -76,7 +79,17 @@ class SteppedEnergy {
  private:
   template <class Ahead>
   [[nodiscard]] Parts sum(const IslandMotion& island, const Ahead& ahead) const;
-  /// How many times as fast the island is to go.
+  /// Along axes along which nothing that never moves pushes an island, the motion of the centre of
+  /// mass of what is stepped.
+  struct Drift {
+    Vec<double> velocity{0, 0};
+    double energy = 0;  ///< twice what it has
+    double most = 0;    ///< twice what it may have more than there is
+  };
+  [[nodiscard]] Drift drift_of(const IslandMotion& island, const SteppedFlight& next) const;
+  /// See `keep`, where something loses energy.
+  bool slow_down(IslandMotion& island, double had, const SteppedFlight& next) const;
+  /// How many times as fast the island is to go, where nothing loses any.
   [[nodiscard]] double factor(const IslandMotion& island, const Parts& now, double had,
                               const SteppedFlight& next) const;
   /// Whether no contact closes beyond touching if all go `a` times as fast.
