@@ -161,10 +161,10 @@ inline constexpr int kAskedAgain = 8;
 inline constexpr std::size_t kFewOfPart = 16;
 
 /// Rule 3: steps of few balls that lose energy in impacts are shorter by this power of two; of
-/// twice as many they are eight times as long.
+/// twice as many they are sixteen times as long.
 inline int shorter_steps(std::size_t movers) {
   int power = kShortestStep;
-  for (std::size_t few = kFewMovers; few < movers && power < 0; few *= 2) power += 3;
+  for (std::size_t few = kFewMovers; few < movers && power < 0; few *= 2) power += 4;
   return power < 0 ? power : 0;
 }
 
