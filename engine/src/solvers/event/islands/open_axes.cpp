@@ -40,7 +40,9 @@ std::vector<char> pulled_along(const IslandMotion& island, const Vec<double>& pu
       std::numeric_limits<double>::epsilon() * (std::abs(pull.x) + std::abs(pull.y));
   std::vector<char> pulled;
   for (std::uint32_t m = 0; m < island.bodies.size(); ++m) {
-    const Vec<double> along = open[groups.find(m)].along(pull);
+    const OpenAxes& axes = open[groups.find(m)];
+    // What leans on nothing here may lean on what stands.
+    const Vec<double> along = axes.x && axes.y ? Vec<double>{0, 0} : axes.along(pull);
     pulled.push_back(std::abs(along.x) > least || std::abs(along.y) > least ? 1 : 0);
   }
   return pulled;

@@ -21,8 +21,8 @@ struct OpenAxes {
 /// Of a whole island.
 [[nodiscard]] OpenAxes open_axes(const IslandMotion& island);
 
-/// By ball: nothing holds what gravity makes of it and of all that it is in contact with.
-/// `presses`: by contact: it can take a load.
+/// By ball: it and all that it is in contact with lie on walls, and nothing holds what gravity
+/// makes of them along those. `presses`: by contact: it can take a load.
 [[nodiscard]] std::vector<char> pulled_along(const IslandMotion& island, const Vec<double>& pull,
                                              const std::vector<char>& presses);
 
