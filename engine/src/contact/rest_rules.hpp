@@ -70,7 +70,9 @@ namespace carom::event {
 // make it, u h / s being 2^-8 at most; what comes faster, or to a wall, is an impact at its own
 // time, and so is what a hit between steps leaves closing by more than its gap until the next one.
 // What presses in a step that would hold what moves, as one that closes a wedge does, is a joint
-// impact.
+// impact.  Where impacts lose energy, what comes faster than that, and would close before the next
+// step, bounces in this one; such a step is an impact.  A step is no hit: what it leaves is not
+// taken for what has just been hit.
 //
 // Rule 4, rest.  Balls that carry each other and that a step leaves slower than 2^-10 g h are laid
 // to rest where they are, if forces within the cones of friction hold them there, which is asked of

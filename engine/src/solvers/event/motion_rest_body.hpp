@@ -194,6 +194,9 @@ bool Motion<P>::is_at_wall(const Disk& disk, At now) const {
 template <class P>
 bool Motion<P>::jammed(const Disk& a, const Disk& b, At now) const {
   if (elastic_) return false;
+  // A step is no hit; where contacts lose energy, what hits one of an island bounces until it is
+  // slow.
+  if (rules_.restitution < 1 && (stepped(a) || stepped(b))) return false;
   const bool loses = rules_.restitution < 1 || has_support(a) || has_support(b);
   const bool on_fixed = fixed(a) || fixed(b);
   const S reach = species(a).radius + species(b).radius;
@@ -241,8 +244,9 @@ bool Motion<P>::sticks(const Disk& a, const Disk& b, const Vec<S>& r, At now) co
 template <class P>
 bool Motion<P>::sticks_to_wall(const Disk& disk, const S& speed, At now) const {
   if (elastic_) return barely_bounces(speed, pull_, S(2 * species(disk).radius), kAtOnce);
-  return speed <= speed_of_step_ ||
-         just_hit(disk, S(2 * species(disk).radius), speed, now, S(kShortly));
+  if (speed <= speed_of_step_) return true;
+  if (rules_.wall_restitution < 1 && stepped(disk)) return false;  // a step is no hit
+  return just_hit(disk, S(2 * species(disk).radius), speed, now, S(kShortly));
 }
 
 // One of the two may be supported: then they accelerate as seen from each other.

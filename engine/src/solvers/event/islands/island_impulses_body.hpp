@@ -5,25 +5,17 @@
 
 #include "contact/cone_island.hpp"
 #include "solvers/event/islands/island_impulses.hpp"
+#include "solvers/event/islands/lasting_speed.hpp"
 
 namespace carom::event {
 
 template <class P>
 bool IslandImpulses<P>::lasts(const Island& island, std::size_t contact) const {
   if (!motion_.elastic_impacts()) return true;
-  const ConeContact& c = island.contacts[contact];
-  const auto& near = island.near[contact];
-  const double speed = approach(island, contact);
-  if (is_at_wall(island, contact)) {
-    return island.touches[contact] != 0 &&
-           speed <= static_cast<double>(motion_.lasting_speed(S(0), S(1)));
-  }
-  Vec<double> v = island.bodies[static_cast<std::size_t>(c.a)].velocity;
-  if (c.b != kWall) v = v - island.bodies[static_cast<std::size_t>(c.b)].velocity;
-  const S reach = root(S(dot(near.r, near.r)));
-  const S most = motion_.lasting_speed(S(cross(c.normal, v)), reach);
-  return speed <= static_cast<double>(most) &&
-         c.gap <= static_cast<double>(S(most * motion_.seconds_of_step()));
+  const S most = lasting_speed(motion_, island, contact);
+  if (!(approach(island, contact) <= static_cast<double>(most))) return false;
+  if (is_at_wall(island, contact)) return island.touches[contact] != 0;
+  return island.contacts[contact].gap <= static_cast<double>(S(most * motion_.seconds_of_step()));
 }
 
 template <class P>

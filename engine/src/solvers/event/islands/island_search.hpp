@@ -77,6 +77,9 @@ class IslandSearch {
   /// these; who meets whom is noted.
   void add_coming(Island& island, At now, Time until);
   void note_coming(Island& island, const Coming& pair) const;
+  /// Where impacts lose energy: what comes faster than in a contact that lasts, and would close
+  /// before the next step, bounces in this one.
+  void note_bounces(Island& island) const;
 
   const Motion<P>& motion_;
   const HugeVector<Disk>& disks_;

@@ -8,6 +8,7 @@
 #include "contact/rest_rules.hpp"
 #include "solvers/event/islands/island_order.hpp"
 #include "solvers/event/islands/island_search.hpp"
+#include "solvers/event/islands/lasting_speed.hpp"
 #include "solvers/event/islands/put_on_wall.hpp"
 
 namespace carom::event {
@@ -91,7 +92,26 @@ auto IslandSearch<P>::of_step(const std::vector<Index>& balls, At now, Time unti
     if (owner_[i] < 0) add(islands, {i}, now, until);
   }
   finish(islands);
+  if (!motion_.elastic_impacts()) {
+    for (Island& island : islands) note_bounces(island);
+  }
   return islands;
+}
+
+// A step would hold them as contacts that last, without their restitution.
+template <class P>
+void IslandSearch<P>::note_bounces(Island& island) const {
+  const auto steps = [&](int body) {
+    return body == kWall || island.support[static_cast<std::size_t>(body)] >= kResting;
+  };
+  const auto seconds = static_cast<double>(motion_.seconds_of_step());
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const ConeContact& c = island.contacts[k];
+    const double speed = approach(island, k);
+    if (!steps(c.a) || !steps(c.b) || !(c.gap <= speed * seconds)) continue;
+    const auto lasting = static_cast<double>(lasting_speed(motion_, island, k));
+    island.near[k].comes = island.near[k].comes || speed > lasting;
+  }
 }
 
 template <class P>
