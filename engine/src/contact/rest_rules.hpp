@@ -40,7 +40,7 @@ namespace carom::event {
 // creeps) has no closed form.  Under gravity and with losses the balls of such contacts are a
 // island, which is stepped: at every whole multiple of a power of two of ticks, h, about 2^-5 of
 // the time of a fall through the largest radius of what moves (a step errs by its square: of up to
-// four balls in all that lose energy in impacts 2^-12 of it), each of its balls gets g h and the
+// four balls in all, where impacts lose energy, 2^-12 of it), each of its balls gets g h and the
 // least impulses by which no contact closes beyond touching until the next step, friction included,
 // and flies straight till then.  So its speed is that of the middle of its flight: what joins gets
 // g h / 2, or as much of less than a step, what leaves or is hit on its way what it is owed, and
@@ -162,8 +162,8 @@ inline constexpr int kAskedAgain = 8;
 /// And so many contacts of what moves are few: they are in order already.
 inline constexpr std::size_t kFewOfPart = 16;
 
-/// Rule 3: steps of few balls that lose energy in impacts are shorter by this power of two; of
-/// twice as many they are sixteen times as long.
+/// Rule 3: steps of few balls are shorter by this power of two where their impacts, or those with
+/// walls, lose energy; of twice as many they are sixteen times as long.
 inline int shorter_steps(std::size_t movers) {
   int power = kShortestStep;
   for (std::size_t few = kFewMovers; few < movers && power < 0; few *= 2) power += 4;

@@ -27,7 +27,8 @@ void Motion<P>::add_supported_species() {
   add_supported_laws();
   if (!(pull_ > 0)) return;
   const S fall = root(S(2 * largest / pull_));
-  const int shorter = rules_.restitution < 1 ? shorter_steps(rules_.movers) : 0;
+  const bool loses = rules_.restitution < 1 || rules_.wall_restitution < 1;
+  const int shorter = loses ? shorter_steps(rules_.movers) : 0;
   const Time span = rules_.scale.ticks(S(std::ldexp(kStep, shorter) * fall));
   step_shift_ = P::Clock::shift_of(std::min(span, P::Clock::epoch()));
   speed_of_step_ = pull_ * rules_.scale.seconds(P::Clock::span(1, step_shift_));
