@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace carom::overlap {
 namespace {
@@ -12,13 +13,9 @@ constexpr double kFar = 0.125;
 
 }  // namespace
 
-void GroupRounds::begin(const std::vector<Pair>& touching) {
-  rounds_ = 0;
-  known_ = touching;
-}
-
 bool GroupRounds::join(std::size_t balls, double push, std::vector<Pair>& touching) {
   if (!(push > kFar * rules_.smallest_radius) || rounds_ >= kRounds) return false;
+  if (rounds_ == 0) known_ = touching;
   const std::vector<Pair> found = pairs_.overlapping_after_pushes(rules_.step);
   std::vector<Pair> fresh;
   std::set_difference(found.begin(), found.end(), known_.begin(), known_.end(),

@@ -22,11 +22,11 @@ class GroupRounds {
   GroupRounds(const GroupRounds&) = delete;
   GroupRounds& operator=(const GroupRounds&) = delete;
 
-  /// Pairs that touch after the flight, in order.
-  void begin(const std::vector<Pair>& touching);
+  /// A step begins.
+  void begin() { rounds_ = 0; }
   /// After all groups are resolved, in which no ball was moved apart by more than `push`: puts into
-  /// `touching` the groups that have met, to be resolved again.  False: there are none, or the
-  /// rounds are used up.
+  /// `touching`, first the pairs that touch after the flight, in order, the groups that have met,
+  /// to be resolved again.  False: there are none, or the rounds are used up.
   [[nodiscard]] bool join(std::size_t balls, double push, std::vector<Pair>& touching);
   [[nodiscard]] bool joined() const { return rounds_ > 0; }
 

@@ -131,7 +131,7 @@ std::size_t OverlapSolver::after_detection() {
   }
   if (rules_.contacts_last) return form_islands();
   if (touching_.empty()) return after_impacts();
-  group_rounds_.begin(touching_);
+  group_rounds_.begin();
   return resolve_groups();
 }
 
